@@ -89,6 +89,7 @@ void expect_no_circles_of_linear_axes(const ModelOptions& options, const ModelDa
 void run(DiagnoseArguments options) {
   const std::vector<std::string> typed = names_of(options.model.data);
   for (const SkippedFile& fault : expand(options.model)) warning_line(fault.why);
+  options.model.says_sensor_jumps = true;
   const auto data = std::make_shared<const ModelData>(open_data(options.model));
   expect_no_circles_of_linear_axes(options.model, *data, typed);
   const Model model = open_model(options.model, *data);

@@ -11,6 +11,7 @@
 #include "ballbar/message_catalogue.hpp"
 #include "diagnose/doubt_text.hpp"
 #include "errors/quantity_text.hpp"
+#include "model/column_fault_text.hpp"
 #include "model/residual_sentences.hpp"
 
 namespace ballbar {
@@ -313,10 +314,7 @@ std::vector<Paragraph> not_used_sentences(const Diagnosis& d) {
   for (const Saturated& one : d.saturated)
     sentences.emplace_back(one.is_stuck ? messages::stuck(one.column, percent_of(one.share))
                                         : messages::saturated(one.column, percent_of(one.share)));
-  for (const SensorJump& one : d.sensor_jumps) {
-    sentences.emplace_back(messages::sensor_jump(one.column, fmt::format("{:.2g} {}", one.size, unit_of(one.column)),
-                                                 duration_text(one.time_s)));
-  }
+  for (const SensorJump& one : d.sensor_jumps) sentences.emplace_back(sentence_of(one));
   if (d.set_aside == 1) sentences.emplace_back(messages::reading_set_aside());
   if (d.set_aside > 1) sentences.emplace_back(messages::readings_set_aside(d.set_aside));
   if (d.level_jumps > 0) {

@@ -24,6 +24,8 @@ Message message_of(Doubt doubt, const Effect& effect) {
       return messages::doubt_weak_evidence();
     case Doubt::forgotten_change:
       return messages::doubt_forgotten_change();
+    case Doubt::warm_start:
+      return messages::doubt_warm_start();
     case Doubt::drift_beside:
       return messages::doubt_drift_beside();
     case Doubt::larger_drift:

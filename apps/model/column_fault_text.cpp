@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/message_catalogue.hpp"
 #include "terminal/terminal_table.hpp"
 
 namespace ballbar {
@@ -46,6 +47,12 @@ std::string lines_of(const std::vector<ColumnFault>& faults) {
   std::string lines;
   for (const ColumnFault& fault : faults) lines += wrapped(fault_text(fault));
   return lines;
+}
+
+Message sentence_of(const SensorJump& jump) {
+  const std::string size = fmt::format("{:.2g} {}", jump.size, unit_of(jump.column)), time = duration_text(jump.time_s);
+  if (jump.run.empty()) return messages::sensor_jump(jump.column, size, time);
+  return messages::sensor_jump(jump.column, size, messages::time_of_run(time, jump.run));
 }
 
 }  // namespace ballbar

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ballbar/formats/results/result_type.hpp"
+#include "ballbar/message.hpp"
 #include "ballbar/series/series.hpp"
 
 namespace ballbar {
@@ -17,6 +18,9 @@ std::string fault_text(const ColumnFault& fault);
 
 // A wrapped line each; empty where there are none.
 std::string lines_of(const std::vector<ColumnFault>& faults);
+
+// "bed_degC jumps by 1.5 degC at 4 h 47 min ..."
+Message sentence_of(const SensorJump& jump);
 
 template <>
 inline constexpr auto kResult<ColumnFault> =

@@ -30,7 +30,8 @@ struct ModelOptions {
   StatedCircle circle;
   bool robust = false;
   bool white = false;
-  bool carries_unit = false;  // results are given in the unit of the target: no remark that um stands for it
+  bool says_sensor_jumps = false;  // the result says them: no remark
+  bool carries_unit = false;       // results are given in the unit of the target: no remark that um stands for it
   Catalogue catalogue = built_in_catalogue();  // effects for models and searches
 };
 

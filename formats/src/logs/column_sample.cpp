@@ -67,6 +67,13 @@ void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
   ++(stamp->day && stamp->clock_s ? sample.stamps : stamp->day ? sample.dates : sample.clocks);
 }
 
+// "21,72" of "21,72 °C".
+std::string_view without_unit(std::string_view cell) {
+  cell = trimmed_cell(cell);
+  const std::size_t end = std::min(cell.find_first_not_of("0123456789.,+-"), cell.size());
+  return end > 0 && end < cell.size() && log_unit(trimmed_cell(cell.substr(end))) ? cell.substr(0, end) : cell;
+}
+
 bool names_a_clock(std::string_view header) {
   constexpr std::string_view kNames =
       "time|zeit|uhrzeit|ora|ore|orario|tempo|hora|heure|tid|tidspunkt|klokkeslaet|klokkeslett|klokken|klo|kl|aika|"
@@ -145,7 +152,7 @@ void find_decimal(const std::string& name, std::span<const HeadLine> above, cons
     split_cells(row.text, shape.delimiter, cells);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::string_view cell = cells[i];
-      const NumberLook look = look_of(cell);
+      const NumberLook look = look_of(without_unit(cell));
       const bool may_be_clock = look.decimal == '.' && i < is_clock.size() && is_clock[i];
       if (may_be_clock && clock_of_dots(trimmed_cell(cell), true)) continue;
       sure_comma += look.decimal == ',';

@@ -93,7 +93,10 @@ void say_table_above(const LogShape& shape, Log& log) {
                   rows, first, shape.first_row_line));
 }
 
-void say_lines(const LogTable& table, Log& log) {
+void say_lines(const LogTable& table, const TimePlan& time, Log& log) {
+  if (time.two_fields_are_hours && table.elapsed && !table.first_day)
+    log.remarks.push_back(
+        fmt::format("{} is read as hours and minutes. State --time-unit min where 5:10 is five minutes.", time.text));
   const auto lines = [](std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "line" : "lines"); };
   if (table.other_lines > 0)
     log.remarks.push_back(
@@ -286,7 +289,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   log.first_row_line = table.before_clock > 0 ? table.line_of(0) : shape.first_row_line;
   log.names_from = shape.names_from;
   say_table_above(shape, log);
-  say_lines(table, log);
+  say_lines(table, plan.time, log);
   log.skipped_lines = table.bad_lines;
   log.without_row = table.without_row;
   std::optional<double> started_s;

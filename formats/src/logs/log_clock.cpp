@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "ballbar/error.hpp"
@@ -47,11 +48,12 @@ class Clock {
     const double slack_s = std::max(3.0, 2.5 * step_s);
     const double turn_s = plan_.time.minutes_and_seconds ? kHour_s : kDay_s;
     double added_s = 0.0;
-    std::size_t turns = 0;
+    std::size_t turns = 0, half_turns = 0;
     for (std::size_t i = 1; i < time_s.size(); ++i) {
       const double before_s = time_s[i - 1] - added_s;  // as written
       const double change_s = time_s[i] - before_s;
       const bool dated = table_.first_day.has_value();
+      const bool may_change_time = dated && !table_.zoned && !table_.lacks_year;
       const auto day = [&](double written_s) {
         return *table_.first_day + static_cast<std::int64_t>(std::floor(written_s / kDay_s));
       };
@@ -59,12 +61,17 @@ class Clock {
         if (!dated && change_s < -0.5 * turn_s) {
           added_s += turn_s;
           ++turns;
-        } else if (dated && !table_.zoned && std::abs(change_s + kHour_s - step_s) <= slack_s &&
+        } else if (may_change_time && std::abs(change_s + kHour_s - step_s) <= slack_s &&
                    may_change(day(time_s[i]), time_s[i])) {
           added_s += kHour_s;
           remarks_.push_back(
               fmt::format("The clock goes back an hour at line {}, the end of summer time: the time continues.",
                           table_.line_of(i)));
+        } else if (!dated && std::abs(change_s + 0.5 * kDay_s - step_s) <= slack_s && !plan_.time.minutes_and_seconds) {
+          added_s += 0.5 * kDay_s;
+          if (half_turns++ == 0)
+            remarks_.push_back(fmt::format(
+                "The clock falls by 12 h at line {}, read as one of 12 hours: the time continues.", table_.line_of(i)));
         } else if (!dated && std::abs(change_s + kHour_s - step_s) <= slack_s && before_s <= 4.0 * kHour_s) {
           added_s += kHour_s;
           remarks_.push_back(
@@ -73,7 +80,7 @@ class Clock {
         } else {
           fail_back(i, -change_s);
         }
-      } else if (dated && !table_.zoned && change_s > 0.0 && std::abs(change_s - kHour_s - step_s) <= slack_s &&
+      } else if (may_change_time && change_s > 0.0 && std::abs(change_s - kHour_s - step_s) <= slack_s &&
                  kHour_s > 4.0 * step_s && may_change(day(time_s[i]), time_s[i]) && in_spring(day(time_s[i]))) {
         added_s -= kHour_s;
         remarks_.push_back(fmt::format("The clock goes forward an hour at line {}, the start of summer time: no gap.",
@@ -167,6 +174,32 @@ class Clock {
   std::vector<std::string>& remarks_;
 };
 
+// Rows that repeat rows above, as of a log that was saved twice or that goes on from a copy, are left out.
+void leave_out_repeated_rows(LogTable& table, const std::vector<double>& time_s, std::vector<std::string>& remarks) {
+  const auto falls = std::adjacent_find(time_s.begin(), time_s.end(), std::greater<>());
+  if (falls == time_s.end() || table.newest_first) return;
+  const auto begin = static_cast<std::size_t>(falls - time_s.begin()) + 1;
+  const auto first = static_cast<std::size_t>(
+      std::lower_bound(time_s.begin(), time_s.begin() + static_cast<std::ptrdiff_t>(begin), time_s[begin]) -
+      time_s.begin());
+  const std::size_t count = begin - first, end = begin + std::min(count, time_s.size() - begin);
+  const auto same = [&](const std::vector<double>& values) {
+    for (std::size_t row = begin; row < end; ++row) {
+      const double now = values[row], before = values[row - count];
+      if (now != before && !(std::isnan(now) && std::isnan(before))) return false;
+    }
+    return true;
+  };
+  const bool is_repeated =
+      end - begin > 1 && (end == time_s.size() || time_s[end] > time_s[begin - 1]) && same(time_s) &&
+      std::all_of(table.values.begin(), table.values.end(),
+                  [&](const std::vector<double>& values) { return values.size() != time_s.size() || same(values); });
+  if (!is_repeated) return;
+  remarks.push_back(
+      fmt::format("The {} rows from line {} on repeat rows above: left out.", end - begin, table.line_of(begin)));
+  erase_rows(begin, end, table);
+}
+
 // Whether every row is of an earlier time than the row before: the log has its newest row first.
 bool falls_throughout(const std::vector<double>& time_s) {
   return time_s.size() > 2 && time_s.back() < time_s.front() && std::is_sorted(time_s.rbegin(), time_s.rend());
@@ -189,6 +222,8 @@ std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::str
     put_oldest_first(table);
     remarks.push_back("The newest row comes first in the file: the rows are read from the last one on.");
   }
+  leave_out_repeated_rows(table, time.kind == TimePlan::Kind::number ? table.values[time.column] : table.time_s,
+                          remarks);
   Clock clock(table, plan, name, remarks);
   if (time.kind == TimePlan::Kind::number) {
     time_s = std::move(table.values[time.column]);
@@ -212,7 +247,7 @@ std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::str
     clock.run_on(time_s);
     // A clock starts at the first row; times since a start stay as they are.
     const double first_s = table.elapsed && !table.first_day ? 0.0 : time_s.front();
-    if (table.first_day) started_s = static_cast<double>(*table.first_day) * kDay_s + first_s;
+    if (table.first_day && !table.lacks_year) started_s = static_cast<double>(*table.first_day) * kDay_s + first_s;
     for (double& value : time_s) value = to_decimals(value - first_s, 1e-9);
   }
   clock.spread(time_s);

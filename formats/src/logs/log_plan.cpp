@@ -143,14 +143,13 @@ std::optional<std::pair<std::string, std::string>> signs_about_numbers(const std
   std::optional<std::pair<std::string, std::string>> signs;
   for (const std::string& word : words) {
     const std::string_view cell = trimmed_cell(word);
-    const std::size_t begin = cell.find_first_of("0123456789"), last = cell.find_last_of("0123456789");
+    const std::size_t begin = cell.find_first_of("0123456789");
     if (begin == std::string_view::npos) return std::nullopt;
+    const std::size_t end = std::min(cell.find_first_not_of("0123456789.,", begin), cell.size());
     std::string_view before = cell.substr(0, begin);
     if (before.ends_with('-') || before.ends_with('+')) before.remove_suffix(1);
     before = trimmed_cell(before);
-    const std::string_view behind = trimmed_cell(cell.substr(last + 1));
-    const std::string_view number = cell.substr(begin, last + 1 - begin);
-    if (number.find_first_not_of("0123456789.,") != std::string_view::npos) return std::nullopt;
+    const std::string_view behind = trimmed_cell(cell.substr(end));
     if (!signs) signs.emplace(before, behind);
     if (before != signs->first || behind != signs->second) return std::nullopt;
   }

@@ -18,7 +18,7 @@ namespace ballbar {
 
 // `channel`: the names of channels below each other; `label`: the name or unit of the column beside it.
 // words: of states, such as "ROUGH"; its values are their places in LogTable::words. part: a number of hours, minutes,
-// milliseconds ... of the time; year, month, day: numbers of the date.
+// milliseconds ... of the time; year, month, day: numbers of the date; half_day: AM or PM beside a clock.
 enum class ColumnKind : std::uint8_t {
   number,
   words,
@@ -29,6 +29,7 @@ enum class ColumnKind : std::uint8_t {
   year,
   month,
   day,
+  half_day,
   channel,
   label,
   left_out
@@ -61,7 +62,8 @@ struct TimePlan {
   std::optional<DateOrder> order;       // stamps; empty: not known yet
   bool minutes_and_seconds = false;     // stamps without hours
   bool dotted_clock = false;            // 07.05.00 is a clock
-  bool two_fields_are_minutes = false;  // 05:10 is five minutes, as the header says
+  bool two_fields_are_minutes = false;  // 05:10 is five minutes
+  bool two_fields_are_hours = false;    // 05:10 is five hours, and only hours that run on can tell
   std::string text;                     // "Zeit, dd.mm.yyyy hh:mm:ss"
 };
 

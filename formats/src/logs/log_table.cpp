@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <span>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
@@ -24,6 +25,7 @@ namespace {
 
 constexpr std::size_t kFreeRows = 2;           // that are no rows of numbers, of any file; beside one in a hundred
 constexpr std::int64_t kLongestPause_d = 365;  // after more days a clock that was not set is set
+constexpr std::int64_t kYearsOfNoPause_d = 3 * 365;  // whatever day it started at
 
 // A date may be read in two ways: how its days run in either, from row to row.
 struct OrderEvidence {
@@ -207,7 +209,7 @@ class Table {
     std::size_t column = 0, numbers = 0;
     std::optional<std::size_t> bad;  // the first cell that is text where a number is expected
     std::string_view bad_cell;
-    date_ = clock_ = channel_ = {};
+    date_ = clock_ = half_day_ = channel_ = {};
     parts_s_ = 0.0;
     clock_is_set_ = false;
     day_.reset();
@@ -262,6 +264,7 @@ class Table {
         if (kind >= ColumnKind::year && kind <= ColumnKind::day)
           calendar_[static_cast<std::size_t>(kind) - static_cast<std::size_t>(ColumnKind::year)] =
               cell_number(cell, shape_.decimal).value_or(-1.0);
+        if (kind == ColumnKind::half_day) half_day_ = trimmed_cell(cell);
         if (kind == ColumnKind::channel) channel_ = trimmed_cell(cell);
         if (kind == ColumnKind::words) row_[column] = word_in(cell, table_.words[column]);
         at += cell.size();
@@ -426,6 +429,11 @@ class Table {
 
   bool take_stamp(std::size_t line, double& time_s) {
     const DateOrder order = plan_.time.order.value_or(DateOrder::day_first);
+    if (!half_day_.empty()) {
+      std::string_view& clock = clock_.empty() ? date_ : clock_;
+      in_half_day_ = fmt::format("{} {}", clock, half_day_);
+      clock = in_half_day_;
+    }
     const auto with_colons =
         plan_.time.dotted_clock ? clock_of_dots(clock_.empty() ? date_ : clock_, true) : std::nullopt;
     auto stamp = stamp_of_row(order, with_colons);
@@ -436,6 +444,7 @@ class Table {
     is_timed_ = stamp->clock_s.has_value();
     table_.has_clock = table_.has_clock || stamp->clock_s;
     table_.elapsed = table_.elapsed || stamp->elapsed;
+    table_.lacks_year = table_.lacks_year || stamp->lacks_year;
     double zone_s = stamp->zone_s.value_or(0.0);
     if (!clock_.empty()) {
       const auto clock = time_stamp(with_colons ? std::string_view(*with_colons) : clock_, order);
@@ -459,8 +468,9 @@ class Table {
         throw Error(fmt::format("{}:{}: expected dates with the {} first as in the rows before, found {}.", name_, line,
                                 order == DateOrder::day_first ? "day" : "month", in_quotes(date_)));
       }
-      clock_is_set_ = last_day_ && table_.first_day && is_day_of_unset_clock(*table_.first_day) &&
-                      *stamp->day > *last_day_ + kLongestPause_d;
+      clock_is_set_ =
+          last_day_ && table_.first_day &&
+          *stamp->day > *last_day_ + (is_day_of_unset_clock(*table_.first_day) ? kLongestPause_d : kYearsOfNoPause_d);
       day_ = stamp->day;
       if (clock_is_set_) table_.first_day.reset();
       if (!table_.first_day) {
@@ -487,7 +497,8 @@ class Table {
   std::vector<std::size_t> pending_;   // lines without numbers since the last row
   std::vector<std::size_t> decimals_;  // of each column, the fewest
   std::string_view last_cell_;         // of the row
-  std::string_view date_, clock_, channel_;
+  std::string_view date_, clock_, half_day_, channel_;
+  std::string in_half_day_;  // the clock with the half of the day behind it
   bool has_hours_ = false, has_calendar_ = false;
   bool clock_is_set_ = false;                   // in the row, and in no row before
   std::optional<std::int64_t> day_, last_day_;  // of the row, and of the row before
@@ -508,6 +519,26 @@ std::size_t LogTable::line_of(std::size_t row) const {
   if (after == lines.begin()) return 0;
   const auto& at = *std::prev(after);
   return at.second + (row - at.first);
+}
+
+void erase_rows(std::size_t begin, std::size_t end, LogTable& table) {
+  std::vector<std::pair<std::size_t, std::size_t>> lines;
+  for (std::size_t row = 0, before = 0; row < table.rows; ++row) {
+    if (row >= begin && row < end) continue;
+    const std::size_t line = table.line_of(row), now = row < begin ? row : row - (end - begin);
+    if (now == 0 || line != before + 1) lines.emplace_back(now, line);
+    before = line;
+  }
+  const auto erase = [&](auto& values) {
+    if (values.size() == table.rows)
+      values.erase(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                   values.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  for (std::vector<double>& values : table.values) erase(values);
+  erase(table.time_s);
+  erase(table.channel_of);
+  table.lines = std::move(lines);
+  table.rows -= end - begin;
 }
 
 void put_oldest_first(LogTable& table) {

@@ -24,6 +24,7 @@ struct LogTable {
   std::vector<double> time_s;                   // of stamps: from midnight of `first_day`; of rows: empty
   std::optional<std::int64_t> first_day;        // since 1970
   bool has_clock = false;                       // a stamp has a time of day
+  bool lacks_year = false;                      // of the dates
   bool elapsed = false;                         // times count from a start, not from midnight
   bool zoned = false;                           // the clock states its zone, so that there is no summer time
   std::vector<std::pair<std::size_t, std::size_t>> lines;  // (row, line) after each group of skipped lines
@@ -38,6 +39,9 @@ struct LogTable {
 
   [[nodiscard]] std::size_t line_of(std::size_t row) const;
 };
+
+// Leaves out rows [begin, end).
+void erase_rows(std::size_t begin, std::size_t end, LogTable& table);
 
 // Reverses the rows of a file that has its newest row first.
 void put_oldest_first(LogTable& table);

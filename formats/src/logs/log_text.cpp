@@ -170,6 +170,26 @@ bool LogLines::refill() {
   return true;
 }
 
+namespace {
+
+// Whether a cell in quotes goes on behind the line. It begins where a cell does: elsewhere a quote is an inch.
+bool is_open_behind(std::string_view line, bool open) {
+  for (std::size_t at = line.find('"'); at != std::string_view::npos; at = line.find('"', at + 1)) {
+    if (open) {
+      if (line.substr(at + 1).starts_with('"'))
+        ++at;
+      else
+        open = false;
+      continue;
+    }
+    const std::size_t before = line.substr(0, at).find_last_not_of(' ');
+    open = before == std::string_view::npos || std::string_view(",;\t|").find(line[before]) != std::string_view::npos;
+  }
+  return open;
+}
+
+}  // namespace
+
 bool LogLines::next(bool quotes) {
   std::size_t searched = at_, ends = 0;
   std::size_t first_end = 0;  // of the first line, from at_
@@ -191,9 +211,7 @@ bool LogLines::next(bool quotes) {
       end = buffer_.data() + buffer_.size();
     }
     auto until = static_cast<std::size_t>(end - buffer_.data());
-    if (quotes && std::memchr(buffer_.data() + searched, '"', until - searched) != nullptr) {
-      open ^= std::count(buffer_.data() + searched, buffer_.data() + until, '"') % 2 != 0;
-    }
+    if (quotes) open = is_open_behind(std::string_view(buffer_).substr(searched, until - searched), open);
     if (open) {
       if (ends == 0) first_end = until - at_;
       if (until < buffer_.size() && ends < kMostLinesOfCell) {

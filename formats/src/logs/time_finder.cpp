@@ -38,7 +38,9 @@ class TimeFinder {
     };
     const auto stamps =
         first([&](const ColumnSample& s) { return s.mostly(s.stamps) && s.numbers == 0 && !is_date(s); });
-    const auto dates = first([&](const ColumnSample& s) { return s.numbers == 0 && is_date(s); });
+    auto dates = first([&](const ColumnSample& s) { return s.numbers == 0 && is_date(s); });
+    // "13-4-26" beside a clock may be the number of a part.
+    if (dates && clocks && plan_.columns[*dates].headed && !names_a_date(plan_.columns[*dates].name)) dates.reset();
     const auto number = number_of_time();
     // A stamp to whole seconds beside a finer number: the number tells the rows apart.
     if (number && (stamps || clocks) && !is_absolute(*number)) {
@@ -53,6 +55,7 @@ class TimeFinder {
     const auto parts = number ? std::nullopt : parts_of_time(dates, clocks);
     if (parts) return of_parts(dates, *parts);
     if (clocks) return of_stamp(*clocks);
+    if (const auto packed = packed_clocks()) return of_stamp(*packed);
     if (number) return of_number(*number);
     if (const auto every_s = interval_of(shape_)) return by_rows(*every_s, "the lines above the table");
     if (dates) return of_stamp(*dates);
@@ -197,6 +200,29 @@ class TimeFinder {
     return std::nullopt;
   }
 
+  static bool names_a_date(std::string_view name) {
+    constexpr std::string_view kNames =
+        "day|dag|tag|jour|giorno|dia|pvm|paiva|dato|measured|recorded|recorded on|when|created|aufnahme|messung|"
+        "gemessen|mesure|medida|misura|registrato|날짜|日|测量|记录";
+    const std::string key = folded(name);
+    constexpr std::string_view kParts[] = {"dat", "fecha", "time", "zeit", "tag",
+                                           "day", "日期",  "日付", "时间", "時間"};
+    return is_time_name(name) || is_one_of(kNames, key) ||
+           std::any_of(std::begin(kParts), std::end(kParts),
+                       [&](std::string_view part) { return key.find(part) != std::string::npos; });
+  }
+
+  // 075800, all with their leading 0, under a name of time without a unit.
+  std::optional<std::size_t> packed_clocks() const {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const ColumnSample& sample = samples_[i];
+      if (sample.numbers > 1 && sample.packed_clocks == sample.written() && is_time_name(plan_.columns[i].name) &&
+          plan_.columns[i].unit.empty() && recipe_.time_unit.empty())
+        return i;
+    }
+    return std::nullopt;
+  }
+
   // 20261122130510, without a sign, under a name of time.
   std::optional<std::size_t> packed_stamps() const {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -321,7 +347,7 @@ class TimeFinder {
     const auto unit_s = unit_of_number(i);
     if (!unit_s) {
       fail(fmt::format("the unit of the time {}", in_quotes(column.source)), "none",
-           "state --time-unit s, ms, min or h");
+           "state --time-unit s, ms, min, h or d");
     }
     time.unit_s = *unit_s;
     time.resolution_s = *unit_s == 1.0 ? 0.0 : 1e-9;
@@ -349,13 +375,20 @@ class TimeFinder {
     time.kind = TimePlan::Kind::stamps;
     time.column = i;
     const std::string header = plan_.columns[i].source + " " + shape_.units[i];
-    time.two_fields_are_minutes = samples_[i].two_fields > 0 && states_minutes_and_seconds(header);
+    // "5:00" is five minutes where the unit is the minute, and where "1:05:00" stands below it.
+    const bool has_minutes = time_unit_s(plan_.columns[i].unit) == 60.0 ||
+                             (!recipe_.time_unit.empty() && time_unit_s(recipe_.time_unit) == 60.0);
+    const bool has_both = samples_[i].two_fields < samples_[i].clocks && samples_[i].minutes_and_seconds == 0;
+    time.two_fields_are_minutes = samples_[i].two_fields > 0 && samples_[i].stamps == 0 &&
+                                  (states_minutes_and_seconds(header) || has_minutes || has_both);
+    time.two_fields_are_hours = samples_[i].two_fields > 0 && samples_[i].stamps == 0 && !time.two_fields_are_minutes;
     time.minutes_and_seconds = time.two_fields_are_minutes || (samples_[i].minutes_and_seconds > 0 &&
                                                                samples_[i].minutes_and_seconds == samples_[i].clocks);
     time.dotted_clock = samples_[i].has_dotted_clocks;
     plan_.columns[i].kind = ColumnKind::stamp;
     decide_order(samples_[i]);
     time.text = in_quotes(plan_.columns[i].source);
+    find_half_day(i);
     find_milli(i);
   }
 
@@ -366,6 +399,7 @@ class TimeFinder {
     plan_.time.dotted_clock = samples_[clock].has_dotted_clocks;
     plan_.time.text =
         fmt::format("{} and {}", in_quotes(plan_.columns[date].source), in_quotes(plan_.columns[clock].source));
+    find_half_day(clock);
     find_milli(clock);
   }
 
@@ -403,7 +437,23 @@ class TimeFinder {
       take(column, ColumnKind::part);
     }
     time.text = fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+    if (parts.clock) find_half_day(*parts.clock);
     find_milli(parts.clock ? *parts.clock : parts.parts.back().first);
+  }
+
+  // A column of AM and PM beside a clock.
+  void find_half_day(std::size_t clock) {
+    for (const std::size_t i : {clock + 1, clock - 1}) {
+      if (i >= samples_.size()) continue;
+      const ColumnSample& sample = samples_[i];
+      const auto is_half = [](std::string_view word) { return is_one_of("am|pm|a.m.|p.m.|a. m.|p. m.", small(word)); };
+      if (sample.texts == 0 || sample.texts != sample.written() ||
+          !std::all_of(sample.words.begin(), sample.words.end(), is_half))
+        continue;
+      plan_.columns[i].kind = ColumnKind::half_day;
+      plan_.time.text += fmt::format(" and {}", in_quotes(plan_.columns[i].source));
+      return;
+    }
   }
 
   // A column of milliseconds right behind a clock to whole seconds.

@@ -18,6 +18,8 @@
 namespace ballbar {
 namespace {
 
+constexpr std::int64_t kYearOfNone = 2000;
+
 // Months by their first letters, folded: English, German, French, Italian, Spanish.
 constexpr std::pair<std::string_view, unsigned> kMonths[] = {
     {"jan", 1}, {"gen", 1},  {"ene", 1},  {"feb", 2},  {"fev", 2},  {"mar", 3},  {"mrz", 3},  {"maerz", 3},
@@ -117,13 +119,26 @@ bool set_day(TimeStamp& stamp, std::int64_t year, std::int64_t month, std::int64
   return stamp.day.has_value();
 }
 
-// 22/11/2026, 22.11.26, 22-11-2026.
+// A blank and the hour of a clock.
+bool clock_follows(Cursor cursor) {
+  if (cursor.take_any(" T_") == '\0') return false;
+  cursor.skip_blanks();
+  return cursor.number(1, 2) && cursor.take(":");
+}
+
+// 22/11/2026, 22.11.26, 22-11-2026; before a clock 22.11., 22/11.
 bool take_numbers(Cursor& cursor, std::int64_t first, char separator, DateOrder order, TimeStamp& stamp) {
   const auto second = cursor.number(1, 2);
-  if (!second || cursor.take_any(std::string_view(&separator, 1)) == '\0') return false;
-  const auto year = cursor.number(2, 4);
-  if (!year || cursor.digits() == 3) return false;
-  const std::int64_t whole = whole_year(*year, cursor.digits());
+  if (!second) return false;
+  const bool is_closed = cursor.take_any(std::string_view(&separator, 1)) != '\0';
+  stamp.lacks_year = (!is_closed || separator == '.') && clock_follows(cursor);
+  if (!is_closed && !stamp.lacks_year) return false;
+  std::int64_t whole = kYearOfNone;
+  if (!stamp.lacks_year) {
+    const auto year = cursor.number(2, 4);
+    if (!year || cursor.digits() == 3) return false;
+    whole = whole_year(*year, cursor.digits());
+  }
   if (separator == '.') return set_day(stamp, whole, *second, first);
   stamp.either_order = first <= 12 && *second <= 12 && first != *second;
   stamp.month_first_only = first <= 12 && *second > 12;
@@ -156,7 +171,7 @@ bool take_month_before_day(Cursor& cursor, unsigned month, TimeStamp& stamp, boo
   Cursor ahead = cursor;
   const auto year = ahead.number(4, 4);
   year_is_last = !year;
-  if (year_is_last) return set_day(stamp, 2000, month, day);
+  if (year_is_last) return set_day(stamp, kYearOfNone, month, day);
   cursor = ahead;
   return set_day(stamp, *year, month, day);
 }
@@ -171,6 +186,11 @@ bool take_date(Cursor& cursor, DateOrder order, TimeStamp& stamp) {
     if (clock / 10000 > 23 || clock / 100 % 100 > 59 || clock % 100 > 59) return false;
     stamp.clock_s = seconds_of_digits(clock);
     return set_day(stamp, *first / 10000000000, *first / 100000000 % 100, *first / 1000000 % 100);
+  }
+  if (digits == 6) {  // 261122-130510
+    Cursor ahead = cursor;
+    if (ahead.take_any("-_T ") == '\0' || !ahead.number(6, 6) || !ahead.at_end()) return false;
+    return set_day(stamp, whole_year(*first / 10000, 2), *first / 100 % 100, *first % 100);
   }
   if (digits == 4) {  // 2026-11-22, 2026/11/22, 2026.11.22, 2026年11月22日
     const bool named = cursor.take("年");
@@ -383,7 +403,8 @@ std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order) {
   if (year_is_last) {
     cursor.skip_blanks();
     const auto year = cursor.number(4, 4);
-    if (!year || !set_day(stamp, *year, *month, day)) return std::nullopt;
+    stamp.lacks_year = !year && stamp.clock_s && cursor.at_end();
+    if (!stamp.lacks_year && (!year || !set_day(stamp, *year, *month, day))) return std::nullopt;
   }
   if (!take_zone(cursor, stamp)) return std::nullopt;
   cursor.skip_blanks();

@@ -21,6 +21,7 @@
 #include "ballbar/formats/sessions/runs_toml.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/internal/number_text.hpp"
+#include "ballbar/internal/series/sensor_jumps.hpp"
 #include "ballbar/internal/series/sessions.hpp"
 #include "ballbar/series/series.hpp"
 
@@ -297,6 +298,7 @@ ModelData model_data_of(const DriftData& source, const std::string& name, const 
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", name, error.what()));
   }
+  data.series = without_sensor_jumps(data.series);
   data.targets = measured_names(*data.series);
   return data;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "ballbar/error.hpp"
@@ -119,6 +120,11 @@ Series rows_of(const Series& data, const RowRange& range) {
   result.five_probe = data.five_probe;
   result.has_clock = data.has_clock;
   result.unread = data.unread;
+  std::copy_if(data.sensor_jumps.begin(), data.sensor_jumps.end(), std::back_inserter(result.sensor_jumps),
+               [&](const SensorJump& jump) {
+                 return data.runs.empty() && !result.time_s.empty() && jump.time_s >= result.time_s.front() &&
+                        jump.time_s <= result.time_s.back();
+               });
   result.columns.reserve(data.columns.size());
   for (const Column& column : data.columns)
     result.columns.push_back({column.name, column.role, part(column.values), column.header});
@@ -178,6 +184,8 @@ Stacked stacked(const std::vector<Series>& runs, const std::vector<std::string>&
       const std::vector<double>& values = find_column(run, column.name)->values;
       column.values.insert(column.values.end(), values.begin(), values.end());
     }
+    for (const SensorJump& jump : run.sensor_jumps)
+      all.sensor_jumps.push_back({jump.column, names[r], jump.time_s - run.time_s.front(), jump.size});
     all.runs.push_back({names[r], begins_warm(run, r, hours) ? RunStart::warm : RunStart::rest});
   }
   if (!left_out.empty()) {

@@ -12,6 +12,8 @@ namespace ballbar {
 namespace {
 
 constexpr double kSigmasOfZero = 3.0;
+constexpr double kLeastPause_s = 1200.0;
+constexpr double kElsewhere = 2.0, kFarElsewhere = 10.0;  // times that, before a night, and before a shorter pause
 constexpr std::size_t kRowsOfSession = 4;
 
 // How far from zero a reading of a probe is that was set to zero: three times its scatter, from differences of
@@ -45,15 +47,17 @@ std::vector<RowRange> sessions_of(const Series& data, const std::vector<std::str
   std::vector<const Column*> probes;
   probes.reserve(targets.size());
   for (const std::string& name : targets) probes.push_back(find_column(data, name));
-  const std::vector<RowRange> parts = between_pauses(data.time_s);
+  const std::vector<RowRange> parts = between_pauses(data.time_s, kLeastPause_s);
   if (parts.size() < 2 || probes.empty() || !data.has_clock) return {};
   std::vector<RowRange> sessions{parts.front()};
   for (std::size_t k = 1; k < parts.size(); ++k) {
+    const bool is_night = data.time_s[parts[k].begin] - data.time_s[parts[k].begin - 1] >= kRest_s;
     bool is_zeroed = parts[k].end - parts[k].begin >= kRowsOfSession, was_elsewhere = false;
     for (const Column* probe : probes) {
       const double near = near_zero(probe->values);
       is_zeroed = is_zeroed && std::abs(first_reading(probe->values, parts[k])) <= near;
-      was_elsewhere = was_elsewhere || std::abs(last_reading(probe->values, parts[k - 1])) > 2.0 * near;
+      was_elsewhere = was_elsewhere || std::abs(last_reading(probe->values, parts[k - 1])) >
+                                           (is_night ? kElsewhere : kFarElsewhere) * near;
     }
     if (is_zeroed && was_elsewhere)
       sessions.push_back(parts[k]);

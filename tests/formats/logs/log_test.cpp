@@ -147,6 +147,73 @@ TEST(log, a_time_may_be_in_parts) {
   EXPECT_EQ(times("Minute,a\n0,1\n70,2\n"), "0 4200 ");
 }
 
+TEST(log, the_half_of_the_day_may_be_in_a_column) {
+  EXPECT_EQ(times("Time,AM/PM,a\n11:59:00,AM,1\n12:00:00,PM,2\n1:00:00,PM,3\n"), "0 60 3660 ");
+  EXPECT_EQ(times("Date,Time,,a\n2026-11-22,11:59,p.m.,1\n2026-11-23,12:01,a.m.,2\n"), "0 120 ");
+  EXPECT_EQ(times("Time,Half,a\n2026-11-22 11:59,am,1\n2026-11-22 12:00,pm,2\n"), "0 60 ");
+  // Nor AM nor PM anywhere: a clock of 12 hours.
+  const Log log = read_log("Time,a\n12:58,1\n12:59,2\n1:00,3\n1:01,4\n", "log.csv");
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{0, 60, 120, 180}));
+  ASSERT_FALSE(log.remarks.empty());
+  EXPECT_EQ(log.remarks.front(), "The clock falls by 12 h at line 4, read as one of 12 hours: the time continues.");
+}
+
+TEST(log, two_fields_are_minutes_where_the_unit_or_the_rows_say_so) {
+  EXPECT_EQ(times("Elapsed (min),a\n0:00,1\n5:30,2\n"), "0 330 ");
+  EXPECT_EQ(times("Laufzeit [min];a\n478:00;1\n479:30;2\n"), "28680 28770 ");
+  EXPECT_EQ(times("Elapsed,a\n59:00,1\n1:00:00,2\n1:01:30,3\n"), "3540 3600 3690 ");
+  LogRecipe recipe;
+  recipe.time_unit = "min";
+  EXPECT_EQ(read_log("Elapsed,a\n5:00,1\n6:00,2\n", "log.csv", recipe).series.time_s, (std::vector<double>{0, 60}));
+  // Hours that run on: how they are read is said.
+  const Log log = read_log("Elapsed,a\n25:00,1\n26:00,2\n", "log.csv");
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{90000, 93600}));
+  ASSERT_FALSE(log.remarks.empty());
+  EXPECT_EQ(log.remarks.front(),
+            "\"Elapsed\" is read as hours and minutes. State --time-unit min where 5:10 is five minutes.");
+}
+
+TEST(log, dates_may_lack_the_year) {
+  EXPECT_EQ(times("Time,a\n22.11. 23:59,1\n23.11. 00:01,2\n"), "0 120 ");
+  EXPECT_EQ(times("Time,a\n11-22 23:59,1\n11-23 00:01,2\n"), "0 120 ");
+  EXPECT_EQ(times("Time,a\nNov 22 23:59:58,1\nNov 23 00:00:01,2\n"), "0 3 ");
+  EXPECT_FALSE(read_log("Time,a\n22.11. 23:59,1\n23.11. 00:01,2\n", "log.csv").series.started);
+}
+
+TEST(log, packed_times_without_a_date_or_with_a_short_one) {
+  EXPECT_EQ(times("Time,a\n261122-235959,1\n261123-000001,2\n"), "0 2 ");
+  EXPECT_EQ(times("Time,a\n075959,1\n080001,2\n"), "0 2 ");
+}
+
+// The number of a part may look like a date.
+TEST(log, a_column_that_is_not_named_as_a_date_is_none_beside_a_clock) {
+  EXPECT_EQ(times("Part,Time,a\n13-4-26,23:59,1\n14-4-26,00:01,2\n"), "0 120 ");
+  EXPECT_EQ(times("Time,Batch,a\n07:58,26-03-04,1\n07:59,26-03-07,2\n"), "0 60 ");
+  EXPECT_EQ(times("Datum;Zeit;a\n13.4.26;23:59;1\n14.4.26;00:01;2\n"), "0 120 ");
+}
+
+TEST(log, rows_that_repeat_rows_above_are_left_out) {
+  const std::string rows = "10:00:00,1\n10:01:00,2\n10:02:00,3\n";
+  const Log log = read_log("Time,a\n" + rows + rows + "10:03:00,4\n", "log.csv");
+  EXPECT_EQ(log.series.time_s, (std::vector<double>{0, 60, 120, 180}));
+  EXPECT_EQ(log.series.columns.front().values, (std::vector<double>{1, 2, 3, 4}));
+  ASSERT_FALSE(log.remarks.empty());
+  EXPECT_EQ(log.remarks.front(), "The 3 rows from line 5 on repeat rows above: left out.");
+  // Other values at the same times are another recording.
+  EXPECT_THROW(read_log("Time,a\n" + rows + "10:00:00,5\n10:01:00,6\n", "log.csv"), Error);
+}
+
+TEST(log, cells_with_units) {
+  const Log comma = read_log("Zeit_s,T\n0,\"21,72 °C\"\n1,\"21,80 °C\"\n", "log.csv");
+  EXPECT_EQ(comma.series.columns.front().values, (std::vector<double>{21.72, 21.8}));
+  const Log speed = read_log("Time_s;Speed\n0;9000 1/min\n1;9500 1/min\n", "log.csv");
+  EXPECT_EQ(speed.series.columns.front().values, (std::vector<double>{9000, 9500}));
+  EXPECT_EQ(speed.series.columns.front().role, Role::speed);
+  // A quote behind a number is no beginning of a cell in quotes.
+  const Log inches = read_log("Time_s,T_degC,Z\n0,20,0.000123\"\n1,21,0.000125\"\n2,22,0.000126\"\n", "log.csv");
+  EXPECT_EQ(inches.series.time_s.size(), 3U);
+}
+
 TEST(log, rows_before_the_clock_is_set_are_left_out) {
   const Log log = read_log(
       "Time,a\n1970-01-01 00:00:12,1\n1970-01-01 00:01:12,2\n2026-11-22 13:05:00,3\n2026-11-22 13:06:00,4\n"
@@ -157,6 +224,8 @@ TEST(log, rows_before_the_clock_is_set_are_left_out) {
   EXPECT_EQ(log.series.started, "2026-11-22T13:05:00");
   ASSERT_FALSE(log.remarks.empty());
   EXPECT_EQ(log.remarks.front(), "The first 2 rows were written before the clock was set: left out.");
+  // Whatever day it started at, no log pauses for years.
+  EXPECT_EQ(times("Time,a\n2015-01-01 00:00,1\n2015-01-01 00:01,2\n2026-11-22 13:05,3\n2026-11-22 13:06,4\n"), "0 60 ");
   // A clock that is never set counts on.
   EXPECT_EQ(times("Time,a\n1970-01-01 23:59:00,1\n1970-01-02 00:01:00,2\n"), "0 120 ");
 }
@@ -234,7 +303,7 @@ TEST(log, what_is_not_clear_is_refused_with_its_line_and_the_way_out) {
       "log.csv:1: expected rows of at least two values separated by commas, semicolons, tabs or blanks, found none in "
       "the first 2 lines.");
   EXPECT_EQ(said("time,b\n1,2\n3,5\n4,4\n"),
-            "log.csv:1: expected the unit of the time \"time\", found none; state --time-unit s, ms, min or h.");
+            "log.csv:1: expected the unit of the time \"time\", found none; state --time-unit s, ms, min, h or d.");
   EXPECT_EQ(said("time_s,b\n1,2\n3,5\n2,4\n"),
             "log.csv:4: expected a time above 3 s of the row before, found 2 s. If another recording starts here, "
             "split the file.");

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/diagnosis/verdict/diagnose.hpp"
+#include "ballbar/internal/series/sensor_jumps.hpp"
 #include "diagnosis/outcome.hpp"
 #include "effects/low_pass.hpp"
 
@@ -204,6 +206,7 @@ TEST(StrangersLog, a_jump_of_the_zero_of_a_sensor_is_taken_out) {
   Log log;
   std::vector<double>& logged = log.data.columns.back().values;
   for (std::size_t i = 287; i < logged.size(); ++i) logged[i] += 1.5;
+  log.data = *without_sensor_jumps(std::make_shared<const Series>(log.data));
   const Diagnosis found = log.diagnosed(log.half_of_bearing());
   ASSERT_EQ(found.sensor_jumps.size(), 1U) << made::outcome_of(found);
   EXPECT_EQ(found.sensor_jumps[0].column, "bearing_degC");
@@ -211,6 +214,31 @@ TEST(StrangersLog, a_jump_of_the_zero_of_a_sensor_is_taken_out) {
   EXPECT_NEAR(found.sensor_jumps[0].size, 1.5, 0.05);
   EXPECT_GE(p_of(found, "bearing_degC"), 0.95) << made::outcome_of(found);
   EXPECT_EQ(p_of(found, "speed_rpm"), 0.0) << made::outcome_of(found);
+}
+
+// The sensor of the bearing is stuck for an hour: what it does at its end is no calibration.
+TEST(StrangersLog, the_return_of_a_stuck_sensor_is_no_jump_of_its_zero) {
+  Log log;
+  std::vector<double>& logged = log.data.columns.back().values;
+  for (std::size_t i = 200; i < 260; ++i) logged[i] = logged[200];
+  const auto data = std::make_shared<const Series>(log.data);
+  EXPECT_EQ(without_sensor_jumps(data), data);
+}
+
+// The log begins on a warm machine: a body with a lag is elsewhere than its temperature says.
+TEST(StrangersLog, a_warm_start_is_no_step) {
+  for (const std::size_t first : {100U, 150U, 200U}) {
+    Log log(720);
+    std::vector<double> z = log.behind(log.bearing, 600.0);
+    for (double& value : z) value = 0.8 * value + 0.2 * log.normal();
+    log.data.columns.push_back({"z_um", Role::measured, z});
+    const Series late = rows_of(log.data, {first, 720});
+    Model model;
+    model.targets = {"z_um"};
+    const Diagnosis found = diagnose(model, late);
+    for (const BoundEffect& one : found.named) EXPECT_NE(one.effect->name, "step") << made::outcome_of(found);
+    EXPECT_GE(p_of(found, "bearing_degC"), 0.95) << made::outcome_of(found);
+  }
 }
 
 // A display in whole kelvins. The speed imitates the bearing to less than that.

@@ -41,7 +41,6 @@ const Device kDevices[] = {
     {"smoothing", [](Tuning& t) { t.smoothing = false; }, false},
     {"outliers_of_inputs", [](Tuning& t) { t.outliers_of_inputs = false; }, false},
     {"coarse_columns", [](Tuning& t) { t.coarse_columns = false; }, false},
-    {"offset_jumps", [](Tuning& t) { t.offset_jumps = false; }, false},
     {"equal_columns", [](Tuning& t) { t.equal_columns = false; }, false},
     {"stuck sensors", [](Tuning& t) { t.stuck_sensors = false; }, false},
     {"rows at jumps", [](Tuning& t) { t.rows_at_jumps = false; }, false},

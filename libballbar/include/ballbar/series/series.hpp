@@ -53,6 +53,12 @@ struct RunOrigin {
   RunStart start = RunStart::rest;
 };
 
+// A jump of the zero of a sensor, taken out of its column.
+struct SensorJump {
+  std::string column, run;  // run: its name; empty: there is one
+  double time_s = 0.0, size = 0.0;
+};
+
 // Rows in the order of time.
 struct Series {
   std::vector<double> time_s;  // strictly rising; with several runs (series.hpp) within each
@@ -61,7 +67,8 @@ struct Series {
   std::optional<std::string> started;   // wall clock at time_s = 0, "2026-11-22T13:05:10", no zone; nullopt: not known
   std::vector<RunOrigin> runs;          // one per run if there are several; else empty
   std::vector<std::string> unread;      // columns of the log that hold states in words, which nothing reads
-  bool has_clock = true;                // false: no file states the time, and time_s numbers the rows 0, 1, 2 ...
+  std::vector<SensorJump> sensor_jumps;
+  bool has_clock = true;  // false: no file states the time, and time_s numbers the rows 0, 1, 2 ...
 };
 
 // Unit at the end of a column's name ("um", "mm", "urad", "degC", "rpm", "A", "W", "K", "percent", "Nm", "bar",

@@ -203,12 +203,6 @@ bool is_temperature(const Column& column) {
   return unit == "degC" || unit == "K";
 }
 
-// Of metal, whose temperature cannot jump.
-bool is_on_a_body(const Column& column) {
-  return is_temperature(column) &&
-         (column.role == Role::structure || column.role == Role::housing || column.role == Role::bearing);
-}
-
 // A temperature that a logger holds for some rows changes in steps as well, but hardly comes back to a level.
 bool is_switched(const Column& column, SignalKind kind, const Tuning& tuning) {
   if (kind != SignalKind::steps || column.role == Role::measured) return false;
@@ -274,12 +268,6 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
         for (const RowRange& run : runs) draw_line(column.values, run);
       }
       const std::size_t rows = even ? held_rows(column.values, tuning).value_or(1) : 1;
-      if (tuning.offset_jumps && is_on_a_body(column) && rows == 1 && step_s <= tuning.longest_sample_s) {
-        input.offsets = offset_jumps(data, *find_column(data, column.name));
-        for (const OffsetJump& jump : input.offsets) {
-          for (std::size_t row = jump.row; row < column.values.size(); ++row) column.values[row] -= jump.size;
-        }
-      }
       input.held = rows;
       const std::size_t sample = std::max(rows, even ? ramped_rows(column.values, tuning) : 1);
       sample_s = static_cast<double>(sample) * step_s;
@@ -314,7 +302,6 @@ LoggedInputs inputs_of_runs(const Series& data, const std::vector<std::string>& 
         jump.last += run.begin;
       }
       for (std::size_t& row : input.at_end) row += run.begin;
-      for (OffsetJump& jump : input.offsets) jump.row += run.begin;
       const auto known = std::find_if(result.inputs.begin(), result.inputs.end(),
                                       [&](const LoggedInput& one) { return one.column == input.column; });
       if (known == result.inputs.end()) {
@@ -327,7 +314,6 @@ LoggedInputs inputs_of_runs(const Series& data, const std::vector<std::string>& 
       known->jumps.insert(known->jumps.end(), input.jumps.begin(), input.jumps.end());
       known->is_stuck = known->is_stuck || input.is_stuck;
       known->at_end.insert(known->at_end.end(), input.at_end.begin(), input.at_end.end());
-      known->offsets.insert(known->offsets.end(), input.offsets.begin(), input.offsets.end());
     }
   }
   return result;

@@ -17,7 +17,6 @@
 
 #include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/series/series.hpp"
-#include "series/offset_jumps.hpp"
 
 namespace ballbar {
 
@@ -35,7 +34,6 @@ struct LoggedInput {
   std::vector<Jump> jumps;          // of a stepped input
   bool is_stuck = false;            // else saturated
   std::vector<std::size_t> at_end;  // rising rows in which its sensor is saturated or stands still
-  std::vector<OffsetJump> offsets;  // jumps of the zero of its sensor, taken out
 };
 
 struct LoggedInputs {

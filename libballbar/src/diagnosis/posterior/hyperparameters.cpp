@@ -186,4 +186,17 @@ std::vector<Covariance> likeliest_covariances(const Problem& problem, const Line
   return found;
 }
 
+NoiseFilter likeliest_filter(const Problem& problem, const LinearModel& linear) {
+  NoiseFilter best;
+  double most = kLogZero;
+  for (const Covariance& covariance : likeliest_covariances(problem, linear)) {
+    NoiseFilter one = noise_filter_at(problem, covariance);
+    const double log_weight = linear_solution(one.whitening, linear, problem.known).log_evidence + covariance.log_prior;
+    if (!(log_weight > most)) continue;
+    most = log_weight;
+    best = std::move(one);
+  }
+  return best;
+}
+
 }  // namespace ballbar

@@ -26,4 +26,7 @@ Covariance likeliest_covariance(const Problem& problem, const LinearModel& linea
 // Of each kind, or those that the problem has.
 std::vector<Covariance> likeliest_covariances(const Problem& problem, const LinearModel& linear);
 
+// The filter of the most likely of these.
+NoiseFilter likeliest_filter(const Problem& problem, const LinearModel& linear);
+
 }  // namespace ballbar

@@ -117,7 +117,7 @@ Identities identities_of(const Problem& problem, const Linearisation& linearisat
                          const std::vector<double>& fitted_values) {
   Identities result;
   const SignatureLibrary& library = problem.library;
-  const Eigen::Index n = problem.signatures.rows();
+  const Eigen::Index n = problem.library.columns.rows();
   result.families = library.families.size();
   result.log_prior = problem.log_prior;
   if (!problem.held.empty()) {
@@ -138,13 +138,18 @@ Identities identities_of(const Problem& problem, const Linearisation& linearisat
     std::vector<HeldColumn> columns = held_columns(problem, linearisation, k, fitted_values[k]);
     std::move(columns.begin(), columns.end(), std::back_inserter(held));
   }
-  const Eigen::Index behind = problem.signatures.cols();
+  std::vector<std::vector<std::size_t>> standing;
+  Eigen::Index behind = 0;
+  for (std::size_t f = 0; f < result.families; ++f) {
+    standing.push_back(result.jump == f ? std::vector<std::size_t>{} : standing_shapes(library, library.families[f]));
+    for (const std::size_t s : standing.back()) behind += library.signatures[s].width;
+  }
   result.columns.resize(n, behind + static_cast<Eigen::Index>(held.size()));
-  result.columns.leftCols(behind) = problem.signatures;
   for (std::size_t k = 0; k < held.size(); ++k) {
     held[k].shape.first = behind + static_cast<Eigen::Index>(k);
     result.columns.col(held[k].shape.first) = held[k].values;
   }
+  Eigen::Index next = 0;
   for (std::size_t i = 0; i < result.log_prior.size(); ++i) {
     result.first.push_back(result.shapes.size());
     if (result.jump == i) {
@@ -164,12 +169,12 @@ Identities identities_of(const Problem& problem, const Linearisation& linearisat
       for (std::size_t s = result.first.back(); s < result.shapes.size(); ++s)
         result.shapes[s].log_prior -= std::log(all_s);
     } else if (i < result.families) {
-      const Family& family = library.families[i];
-      const std::vector<std::size_t> standing = standing_shapes(library, family);
-      for (std::size_t k = 0; k < standing.size(); ++k) {
-        const Signature& one = library.signatures[standing[k]];
-        const double log_prior = problem.log_prior_of_shape[family.first + k];
-        result.shapes.push_back({i, one.first, one.width, log_prior, standing[k], 0.0});
+      for (std::size_t k = 0; k < standing[i].size(); ++k) {
+        const Signature& one = library.signatures[standing[i][k]];
+        const double log_prior = problem.log_prior_of_shape[library.families[i].first + k];
+        result.shapes.push_back({i, next, one.width, log_prior, standing[i][k], 0.0});
+        result.columns.middleCols(next, one.width) = problem.library.columns.middleCols(one.first, one.width);
+        next += one.width;
       }
     } else {
       for (const HeldColumn& column : held) {

@@ -12,13 +12,9 @@
 #include "diagnosis/posterior/identities.hpp"
 #include "diagnosis/posterior/robust.hpp"
 #include "diagnosis/posterior/sets.hpp"
-#include "fit/model_columns.hpp"
 
 namespace ballbar {
 namespace {
-
-constexpr std::size_t kValuesForAnEffect = 4;  // rows beyond the model's
-constexpr double kStill_um = 1e-9;             // rms of constant readings
 
 // Of a long series every k-th value is used: where the mode has jumps, all values about them. Empty: it has none, or
 // all values are used already.
@@ -50,11 +46,8 @@ Inference inference(const Model& model, const Series& data, std::size_t target, 
   Inference result;
   result.problem = problem_of(model, data, target, options);
   const Problem& first = *result.problem;
-  const std::size_t values = first.time_s.size(), parameters = used_parameters(first.base).size();
-  if (values > parameters)
-    result.largest = std::min(first.tuning.most_effects, (values - parameters) / kValuesForAnEffect);
-  const double square = (first.y.array() - first.y.mean()).square().sum();
-  result.is_still = !(square > kStill_um * kStill_um * static_cast<double>(first.y.size()));
+  result.largest = largest_sum(first);
+  result.is_still = is_still(first);
   if (result.largest == 0 || result.is_still) return result;
   std::set<const Effect*> effects;
   for (std::size_t f = 0; f < first.effects; ++f) effects.insert(first.library.families[f].bound.effect);

@@ -36,13 +36,13 @@ LinearModel with_any_forms(const Problem& problem, LinearModel linear) {
   }
   const double size_um =
       std::sqrt(problem.y.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, problem.y.size())));
-  return with_columns(std::move(linear), size_um * problem.signatures(Eigen::all, columns), false);
+  return with_columns(std::move(linear), size_um * problem.library.columns(Eigen::all, columns), false);
 }
 
 LinearModel with_signatures(const Problem& problem, LinearModel linear, const std::vector<std::size_t>& signatures) {
   for (const std::size_t i : signatures) {
     const Signature& one = problem.library.signatures[i];
-    linear = with_columns(std::move(linear), problem.signatures.middleCols(one.first, one.width), true);
+    linear = with_columns(std::move(linear), problem.library.columns.middleCols(one.first, one.width), true);
   }
   return linear;
 }

@@ -10,6 +10,7 @@
 #include "diagnosis/signatures/any_form.hpp"
 #include "diagnosis/signatures/thresholds.hpp"
 #include "effects/effect_at.hpp"
+#include "fit/model_columns.hpp"
 #include "model/resolved_periods.hpp"
 #include "numerics/standard_deviation.hpp"
 #include "series/saturated_rows.hpp"
@@ -20,6 +21,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kFewJumps = 5.0;
+constexpr Eigen::Index kRoomForColumns = 64;
 
 // By least squares; the prediction of a model with all parameters held.
 Fit base_fit(const Model& model, const Series& data, std::size_t target) {
@@ -85,8 +87,8 @@ std::vector<double> stated_variance_of(const LoggedInputs& logged, const std::ve
 }
 
 // Rows near jumps of a temperature: a jump there may be that of the temperature, which is smoothed.
-std::vector<char> rows_of_temperature_jumps(const Series& data, const LoggedInputs& logged,
-                                            const std::vector<std::size_t>& rows, const Tuning& tuning) {
+std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vector<std::size_t>& rows,
+                                            const Tuning& tuning) {
   std::vector<char> found(rows.size(), 0);
   const auto mark = [&](std::size_t k) {
     const std::size_t first = k > tuning.rows_about_jump ? k - tuning.rows_about_jump : 0,
@@ -94,11 +96,12 @@ std::vector<char> rows_of_temperature_jumps(const Series& data, const LoggedInpu
     std::fill(found.begin() + static_cast<std::ptrdiff_t>(first), found.begin() + static_cast<std::ptrdiff_t>(last) + 1,
               char{1});
   };
-  for (const LoggedInput& input : logged.inputs) {
-    for (const OffsetJump& jump : input.offsets) {
-      const auto behind = std::lower_bound(rows.begin(), rows.end(), jump.row);
-      if (behind != rows.end()) mark(static_cast<std::size_t>(behind - rows.begin()));
-    }
+  for (std::size_t k = 0; k < rows.size() && !data.sensor_jumps.empty(); ++k) {
+    const std::size_t row = rows[k], before = k > 0 ? rows[k - 1] : row;
+    if (std::any_of(data.sensor_jumps.begin(), data.sensor_jumps.end(), [&](const SensorJump& jump) {
+          return data.time_s[before] < jump.time_s && jump.time_s <= data.time_s[row];
+        }))
+      mark(k);
   }
   for (const Column& column : data.columns) {
     const std::string_view unit = unit_of(column.name);
@@ -150,6 +153,19 @@ std::vector<double> fitted_parameters(const Problem& problem) {
   return parameters;
 }
 
+std::size_t largest_sum(const Problem& problem) {
+  constexpr std::size_t kValuesForAnEffect = 4;  // rows beyond the model's
+  const std::size_t values = problem.time_s.size(), parameters = used_parameters(problem.base).size();
+  if (values <= parameters) return 0;
+  return std::min(problem.tuning.most_effects, (values - parameters) / kValuesForAnEffect);
+}
+
+bool is_still(const Problem& problem) {
+  constexpr double kStill_um = 1e-9;  // rms
+  const double square = (problem.y.array() - problem.y.mean()).square().sum();
+  return !(square > kStill_um * kStill_um * static_cast<double>(problem.y.size()));
+}
+
 double least_variance_of(const Problem& problem) {
   constexpr double kRounding = 1e-4;  // of the standard deviation of the readings: finer than any logger
   return kRounding * kRounding * problem.y.squaredNorm() /
@@ -182,7 +198,7 @@ std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, c
   const Signature& usual = library.signatures[of.first];
   if (!gains.allFinite() || gains.cols() != usual.width) return std::nullopt;
   if (is_same_as_input(effect, inputs.rows, problem.base.row, gains.col(0))) return std::nullopt;
-  Signature added{family, point, library.columns.cols(), usual.width,
+  Signature added{family, point, problem.deviation.size(), usual.width,
                   gains.col(0).maxCoeff() - gains.col(0).minCoeff()};
   Eigen::MatrixXd unit = gains;
   Eigen::VectorXd deviation(gains.cols());
@@ -191,12 +207,12 @@ std::optional<std::size_t> add_signature(Problem& problem, std::size_t family, c
     if (!(deviation[k] > 1e-12)) return std::nullopt;
     unit.col(k) /= deviation[k];
   }
-  library.columns.conservativeResize(Eigen::NoChange, added.first + added.width);
-  library.columns.rightCols(added.width) = gains;
-  problem.signatures.conservativeResize(Eigen::NoChange, added.first + added.width);
-  problem.signatures.rightCols(added.width) = unit;
+  added.range_um /= deviation[0];
   problem.deviation.conservativeResize(added.first + added.width);
   problem.deviation.tail(added.width) = deviation;
+  if (problem.deviation.size() > library.columns.cols())
+    library.columns.conservativeResize(Eigen::NoChange, problem.deviation.size() + kRoomForColumns);
+  library.columns.middleCols(added.first, added.width) = unit;
   of.more.push_back(library.signatures.size());
   library.signatures.push_back(std::move(added));
   return library.signatures.size() - 1;
@@ -231,7 +247,7 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->time_s = base.time_s;
   problem->highest_Hz = highest_Hz(problem->time_s);
   problem->model = with_resolved_periods(model, problem->highest_Hz);
-  problem->at_jump_of_temperature = rows_of_temperature_jumps(data, problem->logged, base.row, tuning);
+  problem->at_jump_of_temperature = rows_of_temperature_jumps(data, base.row, tuning);
   const auto n = static_cast<Eigen::Index>(base.row.size());
   problem->y = Eigen::VectorXd::Map(base.measured_um.data(), n);
   if (model.level == Level::series && !model.constant_um) {
@@ -260,15 +276,15 @@ std::unique_ptr<Problem> problem_of(const Model& model, const Series& data, std:
   problem->effects = problem->library.families.size();
   if (model.level == Level::series && base.row.size() > kFewReadings)
     add_any_forms(problem->library, problem->logged.series, base.row);
-  problem->signatures = problem->library.columns;
-  problem->deviation = Eigen::VectorXd::Ones(problem->signatures.cols());
-  for (Eigen::Index k = 0; k < problem->signatures.cols(); ++k) {
-    auto column = problem->signatures.col(k);
+  problem->deviation = Eigen::VectorXd::Ones(problem->library.columns.cols());
+  for (Eigen::Index k = 0; k < problem->deviation.size(); ++k) {
+    auto column = problem->library.columns.col(k);
     const double deviation = standard_deviation(column);
     if (!(deviation > 0.0)) continue;
     column /= deviation;
     problem->deviation[k] = deviation;
   }
+  for (Signature& one : problem->library.signatures) one.range_um /= problem->deviation[one.first];
   problem->log_prior = log_priors_of_identities(problem->library, model.level, tuning);
   problem->log_prior_of_shape = log_priors_of_shapes(problem->library, problem->logged, tuning);
   if (tuning.held_values > 0.0) problem->held = held_parameters_of(model);

@@ -60,9 +60,8 @@ struct Problem {
   double highest_Hz = 0.0;  // half the rate of the rows
   KnownScatter known;
   std::unique_ptr<BaseModel> base_model;
-  SignatureLibrary library;
-  Eigen::MatrixXd signatures;              // n by all columns of the library, each with standard deviation 1
-  Eigen::VectorXd deviation;               // standard deviations of the columns before scaling
+  SignatureLibrary library;                // each column with standard deviation 1, and room for more of them
+  Eigen::VectorXd deviation;               // of each column before scaling
   std::size_t effects = 0;                 // number of families of effects; inputs of any form follow
   std::vector<double> log_prior;           // of each family (priors.hpp)
   std::vector<double> log_prior_of_shape;  // per signature in its family
@@ -92,6 +91,12 @@ NoiseFilter noise_filter_at(const Problem& problem, const Covariance& covariance
 
 // The parameters of the model in the least squares fit, for readings minus `centre_um`.
 std::vector<double> fitted_parameters(const Problem& problem);
+
+// The largest number of single effects; 0: the readings are too few for one.
+std::size_t largest_sum(const Problem& problem);
+
+// Whether all readings are the same.
+bool is_still(const Problem& problem);
 
 // The smallest variance of the scatter, from the rounding of readings of this size.
 double least_variance_of(const Problem& problem);

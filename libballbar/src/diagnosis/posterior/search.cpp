@@ -92,6 +92,7 @@ bool has_family_of(const Problem& problem, const std::vector<std::size_t>& signa
 
 // The parameters of the model beside the effects of the sum. The most likely shapes of these, and of their rivals,
 // become signatures.
+// become signatures, and found.fitted has those of the effects.
 std::vector<double> sharpened_model(Problem& problem, SearchResult& found) {
   const NoiseFilter filter = noise_filter_at(problem, found.covariances.front());
   const auto [set, rivals] = set_with_rivals(problem, found);
@@ -110,6 +111,7 @@ std::vector<double> sharpened_model(Problem& problem, SearchResult& found) {
     if (usual != about.parameters) starts.push_back(std::move(usual));
   }
   ConditionalFit best = sharpened(problem, about, set, starts, filter);
+  found.fitted = best.signatures;
   const LinearModel model = linearisation_at(problem, held, best.parameters, about.open).linear;
   for (std::size_t m = 0; m < rivals.size(); ++m) {
     std::vector<std::size_t> others = best.signatures;
@@ -128,6 +130,35 @@ std::vector<double> sharpened_model(Problem& problem, SearchResult& found) {
       .parameters;
 }
 
+// The shape of an identity that has this signature; for a jump the row at its moment.
+std::size_t shape_of(const Problem& problem, const Identities& identities, std::size_t identity,
+                     std::size_t signature) {
+  const std::size_t first = identities.first[identity], end = first + identities.count[identity];
+  for (std::size_t s = first; s < end; ++s) {
+    const auto row = static_cast<std::size_t>(identities.shapes[s].first - identities.columns.cols());
+    if (identities.jump == identity ? problem.time_s[row] > problem.library.signatures[signature].point[1]
+                                    : identities.shapes[s].signature == signature)
+      return s;
+  }
+  return kNoSignature;
+}
+
+// With one single effect for each of these identities, at the shapes that the fit of the model has.
+IbssOptions with_fitted(const Problem& problem, const SearchResult& of, const Identities& identities,
+                        const IbssOptions& options, const std::vector<std::size_t>& set) {
+  IbssOptions exact = with_exactly(options, set);
+  auto fitted = of.fitted.begin();
+  for (std::size_t l = 0; l < set.size(); ++l) {
+    const auto own = std::find_if(fitted, of.fitted.end(), [&](std::size_t signature) {
+      return problem.library.signatures[signature].family == set[l];
+    });
+    if (own == of.fitted.end()) continue;
+    exact.priors[l].shape = shape_of(problem, identities, set[l], *own);
+    fitted = own + 1;
+  }
+  return exact;
+}
+
 // The sum at a covariance, first with exactly these identities.
 SumOfEffects sum_from(const Problem& problem, const SearchResult& of, const Covariance& covariance, std::size_t largest,
                       const std::vector<std::size_t>& set) {
@@ -135,7 +166,8 @@ SumOfEffects sum_from(const Problem& problem, const SearchResult& of, const Cova
   ProjectedColumns at(problem, of.identities, of.linearisation.linear, filter);
   const IbssOptions options = ibss_options(problem, of.identities, largest, Forms::no);
   if (set.empty()) return ibss(at, of.identities, options);
-  return ibss(at, of.identities, options, ibss(at, of.identities, with_exactly(options, set)));
+  return ibss(at, of.identities, options,
+              ibss(at, of.identities, with_fitted(problem, of, of.identities, options, set)));
 }
 
 // The sum at the first covariance with this identity in no single effect: coordinate ascent finds one mode, and another
@@ -146,11 +178,21 @@ SumOfEffects sum_without(const Problem& problem, const SearchResult& of, std::si
   return sum_at(problem, of.identities, of.linearisation.linear, of.covariances.front(), options);
 }
 
+// The most likely covariance of this kind beside exactly these identities.
+Covariance covariance_beside_set(const Problem& problem, const SearchResult& of, const Covariance& start,
+                                 const std::vector<std::size_t>& set) {
+  const Identities members = restricted(of.identities, set);
+  const LinearModel& linear = of.linearisation.linear;
+  const IbssOptions options =
+      with_fitted(problem, of, members, ibss_options(problem, members, set.size(), Forms::no), set);
+  return covariance_beside(problem, sum_at(problem, members, linear, start, options), members, linear, start);
+}
+
 // The covariance of this kind beside the sum, and the sum there.
 void settle(const Problem& problem, const SearchResult& of, std::size_t largest, Covariance& covariance,
             SumOfEffects& sum) {
   if (sum.effects.empty()) sum = sum_from(problem, of, covariance, largest, {});
-  covariance = covariance_beside(problem, sum, of.identities, of.linearisation.linear, covariance);
+  covariance = covariance_beside_set(problem, of, covariance, likeliest_set(sum));
   sum = sum_from(problem, of, covariance, largest, likeliest_set(sum));
 }
 
@@ -172,18 +214,24 @@ bool is_same_mode(const Problem& problem, const SearchResult& a, const SearchRes
          sorted_set(a.sum) == sorted_set(b.sum);
 }
 
+// Whether a mode that rose by so much in a round is too far behind the other to reach it in the next.
+bool is_far_behind(const Problem& problem, const SearchResult& mode, double rise, const SearchResult& other) {
+  return log_weight_of(mode) + std::max(problem.tuning.far_mode, rise) < log_weight_of(other);
+}
+
 // The model and the shapes about where the sum has them, and the sum there, until its weight stays, or the mode is the
-// other one. The last round is kept even where its weight is lower: about parameters that no fit has, the linear model
-// promises what the model cannot do.
+// other one, or far less likely. The last round is kept even where its weight is lower: about parameters that no fit
+// has, the linear model promises what the model cannot do.
 void converge(Problem& problem, std::size_t largest, SearchResult& found, const SearchResult* other = nullptr) {
   for (int round = 0; round < problem.tuning.most_refined; ++round) {
     const double before = log_weight_of(found);
     found.linearisation = linearisation_at(problem, std::nullopt, sharpened_model(problem, found));
     found.identities = identities_of(problem, found.linearisation, found.fitted_values);
-    found.sum = sum_from(problem, found, found.covariances.front(), largest, likeliest_set(found.sum));
     settle(problem, found, largest, found.covariances.front(), found.sum);
-    if (std::abs(log_weight_of(found) - before) < problem.tuning.better) break;
-    if (other != nullptr && is_same_mode(problem, found, *other)) break;
+    const double rise = log_weight_of(found) - before;
+    if (std::abs(rise) < problem.tuning.better) break;
+    if (other != nullptr && (is_same_mode(problem, found, *other) || is_far_behind(problem, found, rise, *other)))
+      break;
   }
 }
 

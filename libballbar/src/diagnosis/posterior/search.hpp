@@ -13,6 +13,7 @@ struct SearchResult {
   std::vector<Covariance> covariances;  // the likeliest of each kind of discrepancy
   Linearisation linearisation;          // the model about its likeliest parameters
   std::vector<double> fitted_values;    // of each held value the one that a fit finds in its place
+  std::vector<std::size_t> fitted;      // signatures of the effects at the shapes that a fit has beside the model
   Identities identities;
   SumOfEffects sum;  // at the first covariance
 };

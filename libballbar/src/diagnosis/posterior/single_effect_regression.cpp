@@ -147,6 +147,7 @@ SingleEffect single_effect_regression(ProjectedColumns& at, const Identities& id
   std::vector<double> least_of_identity(identities.log_prior.size(), kLogZero);
   double least = prior.log_none;
   for (const std::size_t s : among.shapes) {
+    if (prior.shape != kNoSignature && s != prior.shape) continue;
     const Shape& shape = identities.shapes[s];
     const double log_prior = prior.log_identity[shape.identity] + shape.log_prior;
     if (log_prior == kLogZero) continue;

@@ -15,6 +15,7 @@ namespace ballbar {
 struct SinglePrior {  // ln pi
   double log_none = 0.0;
   std::vector<double> log_identity;
+  std::size_t shape = kNoSignature;  // the only one of Identities::shapes; else all of the identities
 };
 
 struct SingleEffect {

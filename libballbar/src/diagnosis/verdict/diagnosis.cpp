@@ -227,7 +227,7 @@ void tell_what_was_not_used(const Problem& problem, const Model& model, const Se
   if (model.level != Level::series) return;
   result.has_clock = data.has_clock;
   result.saturated = saturated_sensors(problem);
-  result.sensor_jumps = sensor_jumps(problem);
+  result.sensor_jumps = data.sensor_jumps;
   result.equal_columns = problem.logged.equal;
   result.set_aside = far_readings(find_column(data, result.target)->values).size();
   result.level_jumps = problem.level_jumps.size();

@@ -3,10 +3,15 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 
+#include "diagnosis/posterior/hyperparameters.hpp"
+#include "diagnosis/posterior/robust.hpp"
 #include "diagnosis/verdict/start_values.hpp"
 #include "numerics/tails.hpp"
 #include "series/folds.hpp"
@@ -155,6 +160,17 @@ Eigen::MatrixXd forgotten_changes(const Problem& problem, const Covariance& cova
   return columns;
 }
 
+// What is left of an unknown state at the first row: it decays.
+Eigen::MatrixXd decays_of_start(const Problem& problem) {
+  constexpr double kTimes_s[] = {300.0, 1000.0, 3000.0, 10000.0};
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(problem.time_s.size()), std::size(kTimes_s));
+  for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+    const double since_s = problem.time_s[static_cast<std::size_t>(i)] - problem.time_s.front();
+    for (Eigen::Index k = 0; k < columns.cols(); ++k) columns(i, k) = std::exp(-since_s / kTimes_s[k]);
+  }
+  return columns;
+}
+
 // The fall of chi^2 by each of these white columns alone, in place of the member.
 Eigen::VectorXd falls_by(const SetRegression& at, std::size_t member, const Eigen::MatrixXd& columns) {
   const std::vector<Eigen::Index> others = others_of(at, member);
@@ -171,17 +187,24 @@ Eigen::VectorXd falls_by(const SetRegression& at, std::size_t member, const Eige
   return falls;
 }
 
-// Whether one reading, or a change within the memory of the noise, explains nearly as much as the jump.
-bool is_forgotten(const Problem& problem, const NoiseFilter& filter, const SetRegression& at, std::size_t member) {
-  if (!std::is_sorted(problem.time_s.begin(), problem.time_s.end())) return false;  // several runs
+// What explains nearly as much as the jump: one reading, or a change within the memory of the noise; a machine that was
+// not at rest at the first row.
+std::vector<Doubt> doubts_of_jump(const Problem& problem, const NoiseFilter& filter, const SetRegression& at,
+                                  std::size_t member) {
+  if (!std::is_sorted(problem.time_s.begin(), problem.time_s.end())) return {};  // several runs
   const Eigen::VectorXd jump = at.model.columns.col(1 + at.first[member]);
   Eigen::Index before = 0;
   (jump.tail(jump.size() - 1) - jump.head(jump.size() - 1)).cwiseAbs().maxCoeff(&before);
-  const Eigen::MatrixXd changes = whitened(filter.whitening, forgotten_changes(problem, filter.covariance, before + 1));
-  Eigen::MatrixXd columns(changes.rows(), changes.cols() + 1);
-  columns << at.white.col(1 + at.first[member]), changes;
+  const Eigen::MatrixXd changes = whitened(filter.whitening, forgotten_changes(problem, filter.covariance, before + 1)),
+                        decays = whitened(filter.whitening, decays_of_start(problem));
+  Eigen::MatrixXd columns(changes.rows(), 1 + changes.cols() + decays.cols());
+  columns << at.white.col(1 + at.first[member]), changes, decays;
   const Eigen::VectorXd falls = falls_by(at, member, columns);
-  return falls[0] < falls.tail(changes.cols()).maxCoeff() + kLeastLikelihoodRatio;
+  std::vector<Doubt> doubts;
+  if (falls[0] < falls.segment(1, changes.cols()).maxCoeff() + kLeastLikelihoodRatio)
+    doubts.push_back(Doubt::forgotten_change);
+  if (falls[0] < falls.tail(decays.cols()).maxCoeff() + kLeastLikelihoodRatio) doubts.push_back(Doubt::warm_start);
+  return doubts;
 }
 
 std::size_t family_of_member(const Problem& problem, const EffectSet& set, std::size_t member) {
@@ -219,13 +242,13 @@ double held_out_um(const Model& model, const Series& data, std::size_t target, c
   ProblemOptions alone;
   alone.search.catalogue.clear();
   alone.logged = logged;
-  const Inference found = inference(model, data, target, alone);
-  if (found.posterior.sets.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const Problem& problem = *found.problem;
-  const auto none = std::find_if(found.posterior.sets.begin(), found.posterior.sets.end(),
-                                 [](const EffectSet& set) { return set.families.empty() && !set.freed; });
-  const SetRegression at = set_regression(problem, found.posterior, *none);
-  return left_out(at, all_of(at), rows_by_fold(folds_of(problem.logged.series, problem.base.row))).rmse_um;
+  const std::unique_ptr<Problem> problem = problem_of(model, data, target, alone);
+  if (largest_sum(*problem) == 0 || is_still(*problem)) return std::numeric_limits<double>::quiet_NaN();
+  note_outliers(*problem);
+  LinearModel linear = linearisation_at(*problem, std::nullopt, fitted_parameters(*problem)).linear;
+  const NoiseFilter filter = likeliest_filter(*problem, with_any_forms(*problem, linear));
+  const SetRegression at = set_regression(filter.whitening, std::move(linear), {}, problem->known);
+  return left_out(at, all_of(at), rows_by_fold(folds_of(problem->logged.series, problem->base.row))).rmse_um;
 }
 
 void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms, const Series& data, std::size_t target,
@@ -293,9 +316,10 @@ Candidate tested_member(const Inference& inference, const EffectSet& set, const 
                       problem.library.columns.middleCols(signature.first, signature.width));
   const Effect& effect = effect_of_member(problem, set, member);
   one = with_tests(std::move(one), effect, at, member, fold, problem.tuning);
-  if (problem.tuning.jump_that_stays && is_jump(effect) &&
-      is_forgotten(problem, inference.posterior.filters[set.filter], at, member))
-    one.doubts.push_back(Doubt::forgotten_change);
+  if (problem.tuning.jump_that_stays && is_jump(effect)) {
+    const std::vector<Doubt> more = doubts_of_jump(problem, inference.posterior.filters[set.filter], at, member);
+    one.doubts.insert(one.doubts.end(), more.begin(), more.end());
+  }
   return one;
 }
 

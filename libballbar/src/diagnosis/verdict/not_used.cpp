@@ -28,15 +28,6 @@ std::vector<ColumnNotSearched> columns_not_searched(const Problem& problem, cons
   return found;
 }
 
-std::vector<SensorJump> sensor_jumps(const Problem& problem) {
-  std::vector<SensorJump> found;
-  for (const LoggedInput& input : problem.logged.inputs) {
-    for (const OffsetJump& jump : input.offsets)
-      found.push_back({input.column, problem.logged.series.time_s[jump.row], jump.size});
-  }
-  return found;
-}
-
 std::vector<Saturated> saturated_sensors(const Problem& problem) {
   std::vector<Saturated> found;
   if (problem.rows_of_faults.empty()) return found;

@@ -13,6 +13,4 @@ std::vector<ColumnNotSearched> columns_not_searched(const Problem& problem, cons
 
 std::vector<Saturated> saturated_sensors(const Problem& problem);
 
-std::vector<SensorJump> sensor_jumps(const Problem& problem);
-
 }  // namespace ballbar

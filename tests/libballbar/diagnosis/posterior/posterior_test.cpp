@@ -2,6 +2,7 @@
 // matrix, and what it must not depend on.
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -121,6 +122,38 @@ TEST(Posterior, of_one_single_effect_is_all_shapes_and_gains_summed) {
   const SingleEffect& found = one.sum.effects.front();
   EXPECT_NEAR(found.log_odds, one.log_weight, 1e-6);
   EXPECT_NEAR(std::log(found.alpha[0] / found.alpha[1]), one.log_of[0] - one.log_of[1], 1e-6);
+}
+
+// Two inputs that nearly run alike: their gains are found together, where one after the other they would creep.
+TEST(Ibss, the_sizes_of_effects_alike_are_those_of_least_squares) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  Series data;
+  Column a{"a_degC", Role::structure, {}}, b{"b_degC", Role::structure, {}}, z{"z_um", Role::measured, {}};
+  double walk = 20.0, apart = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    data.time_s.push_back(60.0 * i);
+    walk += 0.3 * normal(random);
+    apart += 0.01 * normal(random);
+    a.values.push_back(walk);
+    b.values.push_back(walk + apart);
+    z.values.push_back(3.0 * walk - 2.5 * (walk + apart) + 0.01 * normal(random));
+  }
+  data.columns = {a, b, z};
+  ProblemOptions options;
+  options.search.catalogue = only({"expansion"});
+  options.search.tuning.smoothing = options.search.tuning.equal_columns = false;
+  const auto problem = problem_of(constant(), data, 0, options);
+  ASSERT_EQ(problem->effects, 2U);
+  const Linearisation linearisation = linearisation_at(*problem, std::nullopt, {0.0});
+  const Identities identities = identities_of(*problem, linearisation, {});
+  const SumOfEffects sum = sum_at(*problem, identities, linearisation.linear, Covariance{1.0},
+                                  with_exactly(ibss_options(*problem, identities, 2, Forms::no), {0, 1}));
+  Eigen::MatrixXd columns(problem->y.size(), 3);
+  columns << Eigen::VectorXd::Ones(problem->y.size()), identities.columns.leftCols(2);
+  const Eigen::VectorXd left = problem->y - columns * columns.colPivHouseholderQr().solve(problem->y);
+  const double variance = left.squaredNorm() / static_cast<double>(left.size() - 3);
+  EXPECT_NEAR(sum.variance, variance, 0.1 * variance);
 }
 
 // Of a jump every row is a shape.

@@ -73,7 +73,7 @@ TEST(AnyForm, makes_nearly_what_any_effect_of_its_input_does) {
     const Family& family = problem.library.families[f];
     EXPECT_EQ(family.bound.effect, &any_form());
     const Signature& signature = problem.library.signatures[family.first];
-    forms[family.bound.columns.front()] = problem.signatures.middleCols(signature.first, signature.width);
+    forms[family.bound.columns.front()] = problem.library.columns.middleCols(signature.first, signature.width);
   }
   ASSERT_EQ(forms.size(), 3U);  // speed, room, bearing
   const std::map<std::string, double> most{
@@ -83,7 +83,7 @@ TEST(AnyForm, makes_nearly_what_any_effect_of_its_input_does) {
     const auto limit = most.find(family.bound.effect->name);
     if (limit == most.end() || family.bound.columns.size() != 1) continue;
     for (std::size_t i = family.first; i < family.first + family.count; ++i) {
-      const Eigen::VectorXd curve = problem.signatures.col(problem.library.signatures[i].first);
+      const Eigen::VectorXd curve = problem.library.columns.col(problem.library.signatures[i].first);
       EXPECT_LE(left_share(curve, forms.at(family.bound.columns.front())), limit->second)
           << label_of(family.bound) << " " << i - family.first;
     }

@@ -48,6 +48,7 @@ inline constexpr auto kResult<CoarseColumn> = ResultType(
 template <>
 inline constexpr auto kResult<SensorJump> = ResultType("SensorJump", "A jump of the zero of a sensor.",
                                                        Field{"column", &SensorJump::column},
+                                                       Field{"run", &SensorJump::run, "empty: there is one"},
                                                        Field{"time_s", &SensorJump::time_s},
                                                        Field{"size", &SensorJump::size, "in the unit of the column"});
 

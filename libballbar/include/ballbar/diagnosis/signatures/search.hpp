@@ -71,7 +71,6 @@ struct Tuning {
   double least_at_end = 0.05;         // share of all rows; off: 1
   double small_step = 1.5;            // resolutions: a sensor that comes to rest takes such steps before
   bool stuck_sensors = true;          // stuck sensors, too
-  bool offset_jumps = true;           // jumps of the zero of a sensor on a body are taken out
   double most_saturated = 2.0 / 3.0;  // share of the rows; with more, none is set aside
   // A jump of the target within `rows_about_jump` rows of one of a temperature is that of the temperature.
   double temperature_jump = 0.2;         // share of its range, from row to row; off: 1

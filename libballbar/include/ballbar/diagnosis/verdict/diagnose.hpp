@@ -52,6 +52,7 @@ enum class Doubt {
   not_predictive,    // it does not improve the prediction of left-out cycles, or recordings
   weak_evidence,     // its likelihood ratio is below kLeastLikelihoodRatio
   forgotten_change,  // of a jump: one reading, or a change within the memory of the noise, explains nearly as much
+  warm_start,        // of a jump: a machine that was not at rest at the first row explains nearly as much
   drift_beside,      // a smaller slow drift without a cause is beside it, so that its form is open
   larger_drift,      // a larger slow drift without a cause is beside it
   in_the_model,      // the model can produce what it adds
@@ -157,12 +158,6 @@ struct Saturated {
   bool is_stuck = false;
 };
 
-// A jump of the zero of a sensor on a body, as where it is exchanged or calibrated. The search takes it out.
-struct SensorJump {
-  std::string column;
-  double time_s = 0.0, size = 0.0;
-};
-
 struct Diagnosis {
   std::string target;
   Fit base;
@@ -184,7 +179,7 @@ struct Diagnosis {
   bool has_clock = true;                     // else no lag was searched, and nothing is certain
   std::vector<CoarseColumn> coarse_columns;  // one of them may be the cause: nothing is certain
   std::vector<Saturated> saturated;
-  std::vector<SensorJump> sensor_jumps;
+  std::vector<SensorJump> sensor_jumps;  // of the data
   std::vector<EqualColumns> equal_columns;
   std::size_t set_aside = 0;          // readings far from all others
   std::size_t level_jumps = 0;        // of the target; three or more are no effect, but a property of the target

@@ -1,9 +1,14 @@
-#include "series/offset_jumps.hpp"
+#include "ballbar/internal/series/sensor_jumps.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "ballbar/internal/numerics/order_statistic.hpp"
 
@@ -11,7 +16,7 @@ namespace ballbar {
 namespace {
 
 constexpr std::size_t kRowsAboutOffset = 8, kRowsOfTrend = 4, kMostOffsets = 2;
-constexpr double kFarLarger = 5.0, kEven = 1.5;
+constexpr double kFarLarger = 5.0, kEven = 1.5, kLongestStep_s = 120.0;
 constexpr std::size_t kBeforeOffset = 5, kBehindOffset = 2;  // rows in which another column changes with it
 
 // The changes from row to row, each less the median of those about it. A gap has none.
@@ -73,13 +78,45 @@ bool changes_suddenly_about(const Column& other, std::size_t row) {
                      [&](double change) { return std::abs(change) > 2.0 * kFarLarger * usual; });
 }
 
-}  // namespace
+// Of metal.
+bool is_on_a_body(const Column& column) {
+  const std::string_view unit = unit_of(column.name);
+  return (unit == "degC" || unit == "K") &&
+         (column.role == Role::structure || column.role == Role::housing || column.role == Role::bearing);
+}
 
-std::vector<OffsetJump> offset_jumps(const Series& data, const Column& column) {
+// Whether the column changes at every second, third ... row alone.
+bool is_held_for_rows(const std::vector<double>& values) {
+  std::size_t common = 0, before = 0;
+  for (std::size_t i = 1; i < values.size() && common != 1; ++i) {
+    if (values[i] == values[i - 1]) continue;
+    if (before > 0) common = std::gcd(common, i - before);
+    before = i;
+  }
+  return common > 1;
+}
+
+// Whether as many rows as are looked at on either side of a jump have one value.
+bool stands_still(const std::vector<double>& values, std::size_t first) {
+  const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+  return std::all_of(begin, begin + kRowsAboutOffset, [&](double value) { return value == *begin; });
+}
+
+struct Jump {
+  std::size_t row = 0;  // the first behind it
+  double size = 0.0;
+};
+
+// Those of a column of one run.
+std::vector<Jump> jumps_of(const Series& data, const Column& column) {
   const std::vector<double>& values = column.values;
+  const double step_s = median_step_s(data.time_s);
+  if (!is_on_a_body(column) || step_s > kLongestStep_s || is_held_for_rows(values) ||
+      !std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+    return {};
   const std::vector<double> changes = sudden_changes(values);
-  const double least = kFarLarger * usual_change(values), step_s = median_step_s(data.time_s);
-  std::vector<OffsetJump> jumps;
+  const double least = kFarLarger * usual_change(values);
+  std::vector<Jump> jumps;
   for (std::size_t row = kRowsAboutOffset; row + kRowsAboutOffset <= values.size(); ++row) {
     const double size = std::abs(changes[row]);
     if (!(size > least)) continue;
@@ -87,13 +124,36 @@ std::vector<OffsetJump> offset_jumps(const Series& data, const Column& column) {
     for (std::size_t i = row + 1 - kRowsAboutOffset; i < row + kRowsAboutOffset; ++i)
       if (i != row) largest = std::max(largest, std::abs(changes[i]));
     if (!(size > kFarLarger * largest) || !is_even_about(data.time_s, row, step_s)) continue;
+    if (stands_still(values, row - kRowsAboutOffset) || stands_still(values, row)) continue;  // stuck before, or behind
     const LocalJump jump = local_jump(values, row);
     const bool is_alone = std::none_of(data.columns.begin(), data.columns.end(), [&](const Column& other) {
       return other.name != column.name && changes_suddenly_about(other, row);
     });
     if (std::abs(jump.size) > kFarLarger * jump.residual && is_alone) jumps.push_back({row, jump.size});
   }
-  return jumps.size() > kMostOffsets ? std::vector<OffsetJump>{} : jumps;
+  return jumps.size() > kMostOffsets ? std::vector<Jump>{} : jumps;
+}
+
+}  // namespace
+
+std::shared_ptr<const Series> without_sensor_jumps(const std::shared_ptr<const Series>& data) {
+  const std::vector<RowRange> runs = runs_of(data->time_s);
+  std::shared_ptr<Series> result;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    const Series alone = runs.size() > 1 ? rows_of(*data, runs[run]) : Series();
+    const Series& of = runs.size() > 1 ? alone : *data;
+    for (std::size_t k = 0; k < of.columns.size(); ++k) {
+      for (const Jump& jump : jumps_of(of, of.columns[k])) {
+        if (!result) result = std::make_shared<Series>(*data);
+        Column& column = result->columns[k];
+        const std::size_t first = runs[run].begin + jump.row;
+        for (std::size_t row = first; row < runs[run].end; ++row) column.values[row] -= jump.size;
+        result->sensor_jumps.push_back(
+            {column.name, run < data->runs.size() ? data->runs[run].name : "", data->time_s[first], jump.size});
+      }
+    }
+  }
+  return result ? result : data;
 }
 
 }  // namespace ballbar
