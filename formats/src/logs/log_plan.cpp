@@ -138,6 +138,8 @@ bool runs_as_the_time(const std::vector<ColumnSample>& samples, const LogPlan& p
   return runs_as_long(samples[i], *time_unit_s(plan.columns[i].unit), time);
 }
 
+constexpr std::string_view kInchMark = "\"";
+
 // What stands before and behind the number of each cell: "S" of a programmed speed, "S4800", or the unit of "23.4 °C".
 std::optional<std::pair<std::string, std::string>> signs_about_numbers(const std::set<std::string>& words) {
   std::optional<std::pair<std::string, std::string>> signs;
@@ -153,7 +155,7 @@ std::optional<std::pair<std::string, std::string>> signs_about_numbers(const std
     if (!signs) signs.emplace(before, behind);
     if (before != signs->first || behind != signs->second) return std::nullopt;
   }
-  const bool is_unit = signs && signs->first.empty() && log_unit(signs->second);
+  const bool is_unit = signs && signs->first.empty() && (signs->second == kInchMark || log_unit(signs->second));
   // N10 is a line of a program, S1 a state.
   const bool is_speed =
       signs && signs->first == "S" && signs->second.empty() &&
@@ -172,7 +174,8 @@ void plan_text(const ColumnSample& sample, PlannedColumn& column) {
   }
   column.kind = ColumnKind::number;
   std::tie(column.before, column.behind) = *signs;
-  if (column.unit.empty()) column.unit = column.behind.empty() ? "rpm" : column.behind;
+  if (column.unit.empty())
+    column.unit = column.behind.empty() ? "rpm" : column.behind == kInchMark ? "in" : column.behind;
 }
 
 // The columns other than the time: numbers, or why not.

@@ -563,9 +563,9 @@ LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, c
         return table.taken();
       }
       throw Error(
-          fmt::format("{}:{}: expected an unambiguous date, found {}. The third number is the year; state --dates "
-                      "day-first or --dates month-first.",
-                      name, table.first_either_line_, in_quotes(table.first_either_)));
+          fmt::format("{}:{}: expected an unambiguous date, found {}. {}tate --dates day-first or --dates month-first.",
+                      name, table.first_either_line_, in_quotes(table.first_either_),
+                      table.table_.lacks_year ? "S" : "The third number is the year; s"));
     }
     if (plan.time.order == DateOrder::day_first) return table.taken();
   }

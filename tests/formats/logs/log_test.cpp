@@ -210,8 +210,11 @@ TEST(log, cells_with_units) {
   EXPECT_EQ(speed.series.columns.front().values, (std::vector<double>{9000, 9500}));
   EXPECT_EQ(speed.series.columns.front().role, Role::speed);
   // A quote behind a number is no beginning of a cell in quotes.
-  const Log inches = read_log("Time_s,T_degC,Z\n0,20,0.000123\"\n1,21,0.000125\"\n2,22,0.000126\"\n", "log.csv");
-  EXPECT_EQ(inches.series.time_s.size(), 3U);
+  const Log inches = read_log(
+      "Time_s,T1_degC,T2_degC,T3_degC,Z\n0,20,20,20,0.000100\"\n1,21,20,20,0.000200\"\n2,22,20,20,0.000300\"\n",
+      "log.csv");
+  ASSERT_EQ(inches.series.columns.size(), 4U);
+  EXPECT_NEAR(inches.series.columns.back().values.back(), 7.62, 1e-9);
 }
 
 TEST(log, rows_before_the_clock_is_set_are_left_out) {

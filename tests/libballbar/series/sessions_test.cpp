@@ -35,9 +35,20 @@ TEST(sessions_of, a_probe_that_goes_on_is_one_session) {
   EXPECT_TRUE(sessions_of(data, {"z_um"}).empty());
 }
 
-TEST(sessions_of, a_short_pause_begins_none) {
+// A probe that is near zero may be there by itself when the machine has cooled for a while.
+TEST(sessions_of, a_short_pause_begins_one_where_the_probe_was_far_from_zero) {
   Series data = two_days();
-  for (std::size_t i = 60; i < 120; ++i) data.time_s[i] -= 9.0 * 3600.0;
+  for (std::size_t i = 60; i < 120; ++i) data.time_s[i] -= 13.0 * 3600.0;
+  EXPECT_EQ(sessions_of(data, {"z_um"}).size(), 2U);
+  for (std::size_t i = 0; i < 60; ++i) data.columns[0].values[i] -= 24.0;  // ends at 4 um
+  EXPECT_TRUE(sessions_of(data, {"z_um"}).empty());
+  for (std::size_t i = 60; i < 120; ++i) data.time_s[i] += 13.0 * 3600.0;
+  EXPECT_EQ(sessions_of(data, {"z_um"}).size(), 2U);
+}
+
+TEST(sessions_of, a_stop_of_a_quarter_of_an_hour_begins_none) {
+  Series data = two_days();
+  for (std::size_t i = 60; i < 120; ++i) data.time_s[i] -= 13.75 * 3600.0;
   EXPECT_TRUE(sessions_of(data, {"z_um"}).empty());
 }
 

@@ -188,19 +188,28 @@ Covariance covariance_beside_set(const Problem& problem, const SearchResult& of,
   return covariance_beside(problem, sum_at(problem, members, linear, start, options), members, linear, start);
 }
 
-// The covariance of this kind beside the sum, and the sum there.
+// The covariance of this kind beside the sum from nothing, and the sum there.
 void settle(const Problem& problem, const SearchResult& of, std::size_t largest, Covariance& covariance,
             SumOfEffects& sum) {
-  if (sum.effects.empty()) sum = sum_from(problem, of, covariance, largest, {});
-  covariance = covariance_beside_set(problem, of, covariance, likeliest_set(sum));
+  sum = sum_from(problem, of, covariance, largest, {});
+  covariance = covariance_beside(problem, sum, of.identities, of.linearisation.linear, covariance);
   sum = sum_from(problem, of, covariance, largest, likeliest_set(sum));
+}
+
+// The same from the effects of the sum, at the shapes that the fit has.
+void settle_again(const Problem& problem, std::size_t largest, SearchResult& found) {
+  Covariance& covariance = found.covariances.front();
+  const std::vector<std::size_t> set = likeliest_set(found.sum);
+  if (set.empty()) return settle(problem, found, largest, covariance, found.sum);
+  covariance = covariance_beside_set(problem, found, covariance, set);
+  found.sum = sum_from(problem, found, covariance, largest, set);
 }
 
 double log_weight_of(const SearchResult& of) { return of.sum.elbo + of.covariances.front().log_prior; }
 
 // Settles the covariance of each kind of discrepancy. The most likely kind becomes the first, and its sum is kept.
 void settle_all(const Problem& problem, std::size_t largest, SearchResult& of) {
-  std::vector<SumOfEffects> sums(of.covariances.size(), of.sum);
+  std::vector<SumOfEffects> sums(of.covariances.size());
   in_parallel(sums.size(), [&](std::size_t k) { settle(problem, of, largest, of.covariances[k], sums[k]); });
   std::size_t best = 0;
   const auto log_weight = [&](std::size_t k) { return sums[k].elbo + of.covariances[k].log_prior; };
@@ -227,12 +236,28 @@ void converge(Problem& problem, std::size_t largest, SearchResult& found, const 
     const double before = log_weight_of(found);
     found.linearisation = linearisation_at(problem, std::nullopt, sharpened_model(problem, found));
     found.identities = identities_of(problem, found.linearisation, found.fitted_values);
-    settle(problem, found, largest, found.covariances.front(), found.sum);
+    settle_again(problem, largest, found);
     const double rise = log_weight_of(found) - before;
     if (std::abs(rise) < problem.tuning.better) break;
     if (other != nullptr && (is_same_mode(problem, found, *other) || is_far_behind(problem, found, rise, *other)))
       break;
   }
+}
+
+bool has_free_shapes(const Problem& problem) {
+  for (std::size_t k = 1; k < problem.base_model->parameters(); ++k) {
+    if (problem.base_model->parameter(k).kind == ParameterKind::shape && !problem.base_model->setting(k).held)
+      return true;
+  }
+  return false;
+}
+
+// The model beside all effects of the sum but one: an effect may stand for a term of the model that was fitted beside
+// it.
+void fit_without(Problem& problem, std::size_t effect, SearchResult& found) {
+  found.sum.effects.erase(found.sum.effects.begin() + static_cast<std::ptrdiff_t>(effect));
+  found.linearisation = linearisation_at(problem, std::nullopt, sharpened_model(problem, found));
+  found.identities = identities_of(problem, found.linearisation, found.fitted_values);
 }
 
 // One mode for each set of identities, the likeliest first.
@@ -271,10 +296,11 @@ std::vector<SearchResult> likely_modes(Problem& problem, std::size_t largest, Se
     const SearchResult& found = modes.front();
     const std::size_t without = likeliest_identity(one);
     if (one.p_any() < 0.5 || found.identities.is_held_value(without)) continue;
-    SumOfEffects sum = sum_without(problem, found, largest, without);  // at the same covariance
+    SearchResult other = found;
+    if (has_free_shapes(problem)) fit_without(problem, static_cast<std::size_t>(&one - effects.data()), other);
+    SumOfEffects sum = sum_without(problem, other, largest, without);  // at the same covariance
     const double far = problem.tuning.far_mode + problem.tuning.of_grid * std::max(0.0, one.log_odds);
     if (sum.elbo < found.sum.elbo - far) continue;
-    SearchResult other = found;
     other.sum = std::move(sum);
     converge(problem, largest, other, &found);
     add_mode(problem, std::move(other), modes);

@@ -160,7 +160,7 @@ Eigen::MatrixXd forgotten_changes(const Problem& problem, const Covariance& cova
   return columns;
 }
 
-// What is left of an unknown state at the first row: it decays.
+// The decay of an unknown state at the first row.
 Eigen::MatrixXd decays_of_start(const Problem& problem) {
   constexpr double kTimes_s[] = {300.0, 1000.0, 3000.0, 10000.0};
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(problem.time_s.size()), std::size(kTimes_s));
