@@ -57,7 +57,7 @@ const show_all = async (name) => {
   await drawn(page);
 };
 
-test("hover: the values of the point, and a line in every picture over time", async () => {
+test("hover: the values of the point, and those of that time in every picture over time", async () => {
   await seen(page, "temperatures");
   await seen(page, "drift");
   const point = drift.points[6];
@@ -71,11 +71,11 @@ test("hover: the values of the point, and a line in every picture over time", as
     const value = point[`${axis}_um`].toFixed(3).replace(".", "\\.");
     assert.match(told, new RegExp(`\\b${axis} +${value} ± ${point[`${axis}_sigma_um`].toFixed(3)} µm`));
   }
-  const lines = await page.$$eval("figure .line", (all) => all.filter((one) => !one.hidden).map((one) => parseFloat(one.style.left)));
-  assert.ok(lines.length >= 2, `${lines.length} lines`);
+  const at_the_time = new RegExp(`^${point.time_s / 60} min`);
+  const told_by = async (name) => (await texts(name)).some((text) => at_the_time.test(text));
+  assert.ok(await told_by("temperatures"));
   await page.mouse.move(5, 5);
-  await drawn(page);
-  assert.equal((await page.$$("figure .line:not([hidden])")).length, 0);
+  await page.waitForFunction(() => [...window.ballbar.figures.values()].every((one) => !one.chart()?.getZr().storage.getDisplayList(true).some(({ style }) => / min\b.*\n/.test(style?.text ?? ""))));
 });
 
 test("hover on the circle: the angle and the deviation of the reading", async () => {
@@ -163,15 +163,16 @@ test("zoom: wheel, keys, drag, double click; all pictures over time go with it",
 
 test("zoom: a drag up or down takes a part of the heights, across and down a frame; Alt goes on, a double click shows all", async () => {
   const shown = await seen(page, "drift");
+  const frames = () => page.evaluate(() => window.ballbar.figures.get("drift").chart().getZr().storage.getDisplayList(true).filter((one) => one.name === "main" && one.shape.height > 0).length);
   const drag = async ([x, y], by_x, by_y) => {
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x + by_x, y + by_y, { steps: 4 });
-    const framed = await shown.locator(".frame").isVisible();
+    const framed = await frames();
     await page.mouse.up();
     await drawn(page);
-    assert.equal(await shown.locator(".frame").isVisible(), false);
-    return framed;
+    assert.equal(await frames(), 0);
+    return framed > 0;
   };
   const start = await at("drift", 60, 15);
   assert.ok(await drag(start, 2, 90));
@@ -310,6 +311,47 @@ test("a stretch without the shift key: the button, then a drag", async () => {
   await chart("temperatures").focus();
   await page.keyboard.press("Escape");
   await drawn(page);
+});
+
+test("fingers: two zoom about where they are, one moves it, and selects a stretch once the button says so", async () => {
+  const { page: touched, wrong: of_touched, close } = await opened(browser, file, { hasTouch: true });
+  await seen(touched, "temperatures");
+  const state_now = () => touched.evaluate(() => {
+    const { window: part, stretch } = window.ballbar.figures.get("temperatures").state();
+    return { part, stretch };
+  });
+  const place = await touched.evaluate(() => {
+    const one = window.ballbar.figures.get("temperatures");
+    const box = one.element.querySelector(".chart").getBoundingClientRect();
+    const [x, y] = one.chart().convertToPixel({ gridIndex: 0 }, [80, 25]);
+    return { x: box.left + x, y: box.top + y };
+  });
+  const fingers = await touched.context().newCDPSession(touched);
+  const go = async (...steps) => {
+    for (const [k, by] of steps.entries()) {
+      const touchPoints = by.map((dx, id) => ({ x: place.x + dx, y: place.y, id }));
+      await fingers.send("Input.dispatchTouchEvent", { type: k === 0 ? "touchStart" : "touchMove", touchPoints });
+      await drawn(touched);
+    }
+    await fingers.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+    await drawn(touched);
+  };
+  await go([0], [30], [60]);
+  assert.deepEqual(await state_now(), { part: null, stretch: null }, "there is nowhere to go");
+  await go([-40, 40], [-60, 60], [-80, 80]);
+  const { part } = await state_now();
+  assert.ok(part[0] < 80 && 80 < part[1] && span(part) < 100, String(part));
+  await go([0], [30], [60]);
+  const { part: moved } = await state_now();
+  assert.ok(moved[0] < part[0] && Math.abs(span(moved) - span(part)) < 1e-9, `${moved} of ${part}`);
+  await figure(touched, "temperatures").getByRole("button", { name: "Select stretch" }).click();
+  await drawn(touched);
+  await go([0], [30], [60]);
+  const { part: same, stretch } = await state_now();
+  assert.ok(stretch && span(stretch) > 0, String(stretch));
+  assert.deepEqual(same, moved);
+  assert.deepEqual(of_touched, []);
+  await close();
 });
 
 test("the numbers behind a picture, as a table", async () => {

@@ -90,6 +90,7 @@ const kCap_px = 4;
 const common = (colour: string): Record<string, unknown> => ({
   type: "custom",
   name: "",
+  zlevel: 0, // stated: else a drag of the brush would draw it without one
   itemStyle: { color: colour },
   silent: true,
   clip: true,

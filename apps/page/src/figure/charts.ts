@@ -3,6 +3,7 @@
 import { BarChart, CustomChart, HeatmapChart, LineChart, ScatterChart } from "echarts/charts";
 import {
   AxisPointerComponent,
+  BrushComponent,
   GraphicComponent,
   GridComponent,
   LegendComponent,
@@ -14,12 +15,12 @@ import {
   TooltipComponent,
   VisualMapComponent,
 } from "echarts/components";
-import { init, use, type ECharts, type EChartsCoreOption } from "echarts/core";
+import { connect, init, use, type ECharts, type EChartsCoreOption } from "echarts/core";
 import { CanvasRenderer, SVGRenderer } from "echarts/renderers";
 import type { Range } from "../picture";
 
 use([BarChart, CustomChart, HeatmapChart, LineChart, ScatterChart]);
-use([AxisPointerComponent, GraphicComponent, GridComponent, LegendComponent, PolarComponent, TitleComponent]);
+use([AxisPointerComponent, BrushComponent, GraphicComponent, GridComponent, LegendComponent, PolarComponent, TitleComponent]);
 use([MarkAreaComponent, MarkLineComponent, MarkPointComponent, TooltipComponent, VisualMapComponent]);
 use([CanvasRenderer, SVGRenderer]);
 
@@ -53,19 +54,34 @@ export const svg_of = (option: EChartsCoreOption, width_px: number, height_px: n
   return text;
 };
 
-interface Model {
-  getComponent(
-    kind: string,
-    index: number,
-  ): { axis?: { type: string; scale: { getExtent(): [number, number] } } } | undefined;
+// What the pointer reads in one chart is read in all others of the same name.
+export const link = (chart: Chart, name: string): void => {
+  chart.group = name;
+  connect(name);
+};
+
+// A drag draws a frame, or a stretch of the x axis, as ECharts' own brush does. The brush of one chart is of no other,
+// linked or not, and no curve looks different for it.
+
+export type Brush = "rect" | "lineX" | false; // false: a drag draws nothing
+
+export interface Brushed {
+  brushId: string;
+  areas: readonly { range: [number, number] | [Range, Range] }[]; // in pixels
 }
 
-// The range of the x axis as drawn; null: no numeric axis. Uses internals of ECharts.
-export const x_extent = (chart: Chart): Range | null => {
-  const axis = (chart as unknown as { getModel(): Model | undefined }).getModel()?.getComponent("xAxis", 0)?.axis;
-  if (axis?.type !== "value") return null;
-  const [from, to] = axis.scale.getExtent();
-  return Number.isFinite(from) && Number.isFinite(to) && from < to ? [from, to] : null;
+export const brush_of = (name: string, dark: boolean): EChartsCoreOption => {
+  const brushStyle = { color: dark ? "rgba(255,255,255,0.14)" : "rgba(30,60,90,0.12)", borderWidth: 0 };
+  return { brush: { id: name, toolbox: [], xAxisIndex: "all", yAxisIndex: "all", seriesIndex: [], transformable: false, brushStyle } };
+};
+
+export const take_brush = (chart: Chart, brushType: Brush): void =>
+  chart.dispatchAction({ type: "takeGlobalCursor", key: "brush", brushOption: { brushType, brushMode: "single" }, escapeConnect: true });
+
+// The x axis as a picture without a window states it; null: no numeric axis.
+export const x_limits = ({ xAxis }: EChartsCoreOption): Range | null => {
+  const { min, max } = ((Array.isArray(xAxis) ? xAxis[0] : xAxis) ?? {}) as { min?: unknown; max?: unknown };
+  return typeof min === "number" && typeof max === "number" && min < max ? [min, max] : null;
 };
 
 export const x_at = (chart: Chart, px: number): number =>

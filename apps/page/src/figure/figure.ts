@@ -1,10 +1,11 @@
 // One picture on the page with its controls. It holds the state; every change redraws the picture.
-import { canvas_of, type Chart, chart_in, px_at, x_at, x_extent, y_at } from "./charts";
+import { type Brush, brush_of, type Brushed, canvas_of, type Chart, chart_in, link, px_at, take_brush, x_at, x_limits, y_at } from "./charts";
 import { controls_of, within_slider } from "./controls";
-import { listen_to_keys, listen_to_pointer, magnify_by, next_row, row_text } from "./input";
+import { listen_to_keys, listen_to_pointer, magnify_by, next_row, row_text, take_brushed } from "./input";
 import { button, element, explained } from "../elements/elements";
 import { can_copy, copy_png, save_csv, save_png, save_svg } from "./files";
 import { numbers_table, stretch_panel } from "./numbers";
+import type { EChartsCoreOption } from "echarts/core";
 import type { Numbers, Picture, Range, State, Toggle } from "../picture";
 import type { PageState, View } from "./view";
 import { drawn, initial_state, stilled } from "./still";
@@ -43,7 +44,6 @@ export interface Figure {
   see(window: Range | null): void;
   select(stretch: Range | null): void;
   ask_stretch(): void; // the next drag selects one
-  point(x: number | null): void; // a line at this place
   renew(): void; // its data have changed
   redraw(): void; // with the next frame, or once it is near the screen
   draw_now(): void;
@@ -64,6 +64,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   let near = false; // the screen
   let stale = true;
   let awaited = 0; // the frame in which it will be drawn
+  let brushing: Brush = false; // what a drag draws now
   let selecting = false;
   let panel_open = false;
   let row: number | null = null; // under the cursor
@@ -91,11 +92,8 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     ].join(" "),
   });
   box.style.height = `${picture.height_px}px`;
-  const line = element("div", { class: "line", "aria-hidden": "true" });
-  const frame = element("div", { class: "frame", "aria-hidden": "true" });
-  line.hidden = frame.hidden = true;
   const canvas = element("div", { class: "canvas" });
-  box.append(canvas, line, frame);
+  box.append(canvas);
 
   const watching: ((state: State) => void)[] = [];
   const change = (part: Partial<State>): void => {
@@ -184,32 +182,38 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
       look: { dark: page.dark(), width_px, height_px, still: false },
     };
     box.style.height = `${height_px}px`;
-    chart ??= chart_in(canvas, width_px, height_px);
+    chart ??= made_chart(width_px, height_px);
     if (chart.getWidth() !== width_px) chart.resize({ width: width_px, height: height_px });
-    learn_whole(chart);
+    learn_whole();
+    const option = drawn(picture, state);
+    if (!state.window) whole = whole_of(option);
     chart.clear(); // what is drawn depends on the state alone, not on what was drawn before
-    chart.setOption(drawn(picture, state), { notMerge: true });
-    if (!state.window && picture.zoom !== "none") whole = x_extent(chart);
-    line.hidden = true;
+    chart.setOption(picture.zoom === "none" ? option : { ...option, ...brush_of(picture.name, page.dark()) }, { notMerge: true });
+    brushing = false;
     update_parts();
   };
 
-  // A picture first drawn in a window, or of another recording, has not shown all of its axis yet.
-  const learn_whole = (on: Chart): void => {
-    if (state.chosen === whole_for || picture.zoom === "none") return;
-    whole_for = state.chosen;
-    if (!state.window) return;
-    on.setOption(picture.draw({ ...state, window: null, stretch: null }), { notMerge: true });
-    const before = whole;
-    whole = x_extent(on);
-    const same = before !== null && whole !== null && before[0] === whole[0] && before[1] === whole[1];
-    if (picture.zoom === "own" && !same) state = { ...state, window: null, stretch: null, heights: null };
+  const made_chart = (width_px: number, height_px: number): Chart => {
+    const made = chart_in(canvas, width_px, height_px);
+    if (picture.zoom === "time") link(made, "time");
+    made.on("brushEnd", (brushed) => {
+      if ((brushed as Brushed).brushId !== picture.name) return; // of a linked one
+      take_brushed(view, brushed as Brushed);
+      figure.redraw(); // without what the drag drew
+    });
+    return made;
   };
 
-  const point = (x: number | null): void => {
-    const visible = state.window ?? whole;
-    line.hidden = x === null || !chart || !visible || x < visible[0] || x > visible[1];
-    if (x !== null && chart && !line.hidden) line.style.left = `${px_at(chart, x)}px`;
+  const whole_of = (option: EChartsCoreOption): Range | null => (picture.zoom === "none" ? null : x_limits(option));
+  // A picture first drawn in a window, or of another recording, has not shown all of its axis yet.
+  const learn_whole = (): void => {
+    if (state.chosen === whole_for) return;
+    whole_for = state.chosen;
+    if (!state.window) return;
+    const before = whole;
+    whole = whole_of(picture.draw({ ...state, window: null, stretch: null }));
+    const same = before !== null && whole !== null && before[0] === whole[0] && before[1] === whole[1];
+    if (picture.zoom === "own" && !same) state = { ...state, window: null, stretch: null, heights: null };
   };
 
   const step = (by: number): void => {
@@ -218,7 +222,6 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     if (row === null) return;
     const x = all.columns[0]?.values[row];
     if (typeof x === "number" && chart && whole) {
-      view.hover(x);
       chart.dispatchAction({ type: "showTip", x: px_at(chart, x), y: 0.3 * state.look.height_px });
     }
     page.say(row_text(all, row));
@@ -236,12 +239,11 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     heights: () => state.heights,
     see,
     see_heights: (heights) => change({ heights }),
-    frame(of) {
-      frame.hidden = of === null;
-      for (const side of ["left", "top", "width", "height"] as const) frame.style[side] = `${of?.[side] ?? 0}px`;
-    },
     select,
-    hover: (x) => (picture.zoom === "time" ? page.hover_time(x) : point(x)),
+    brush(kind) {
+      if (chart && kind !== brushing) take_brush(chart, kind);
+      brushing = kind;
+    },
   };
   listen_to_pointer(view);
   listen_to_keys(view, step);
@@ -307,7 +309,6 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
       box.scrollIntoView({ block: "nearest" });
       figure.redraw();
     },
-    point,
     renew() {
       numbers = null;
       figure.redraw();

@@ -2,20 +2,19 @@
 // down; else it moves; two fingers or the wheel zoom, a double click shows all, a drag with shift selects a stretch. The
 // wheel alone scrolls the page until the chart has the focus.
 import type { Heights, Numbers, Range, State } from "../picture";
+import type { Brushed } from "./charts";
 import type { View } from "./view";
 import type { Num } from "../report";
 import { shown } from "../drawing/theme";
 import { split_name, words } from "../drawing/text";
 
 interface Drag {
-  kind: "move" | "zoom" | "select" | "pinch";
   from_px: number; // where it began, from the left of the box
   from: number; // the same on the x axis
   from_y_px: number; // from the top
-  axis: number; // of the plot
   window: Range | null; // then
   heights: Heights | null;
-  spread_px: number; // two fingers, then
+  spread_px: number; // two fingers, then; 0: one
 }
 
 const kLeast_px = 8; // of a drag that zooms
@@ -24,129 +23,93 @@ const kUpright_px = 24; // of one that zooms the heights: a hand is not steady
 const wheel_factor = ({ deltaMode, deltaY }: WheelEvent): number =>
   Math.exp(-Math.max(-200, Math.min(200, deltaY * (deltaMode === 1 ? 16 : 1))) * 0.003);
 
+const is_held = ({ ctrlKey, metaKey }: WheelEvent): boolean => ctrlKey || metaKey;
+
+// With Ctrl held, or alone once the picture has the focus; else it is the page's, as it is where `zoom` does nothing.
+const zooming_wheel = (box: HTMLElement, zoom: (event: WheelEvent) => boolean): void =>
+  box.addEventListener(
+    "wheel",
+    (event) => {
+      if ((is_held(event) || document.activeElement === box) && zoom(event)) event.preventDefault();
+    },
+    { passive: false },
+  );
+
+// What a drag drew: a stretch, or what is to be seen of either axis.
+export const take_brushed = (view: View, { areas }: Brushed): void => {
+  const [across, upright] = areas[0]?.range ?? [];
+  if (typeof across === "number" && typeof upright === "number") view.select([view.x_at(across), view.x_at(upright)], true);
+  if (typeof across !== "object" || typeof upright !== "object") return;
+  const [[left, right], [top, bottom]] = [across, upright];
+  const axis = view.plot_at((left + right) / 2, (top + bottom) / 2) ?? 0;
+  const window: Range = [view.x_at(left), view.x_at(right)];
+  if (bottom - top > kUpright_px) view.see_heights({ axis, range: [view.y_at(axis, bottom), view.y_at(axis, top)] });
+  if (right - left > kLeast_px) view.see(window);
+};
+
 export const listen_to_pointer = (view: View): void => {
   const { box } = view;
-  const down = new Map<number, number>(); // pointers that are down, from the left of the box
+  const down = new Map<number, number>(); // pointers that move it, from the left of the box
   let drag: Drag | null = null;
-  let stretch: Range | null = null; // that was selected before
 
   const x_px = (event: MouseEvent): number => event.clientX - box.getBoundingClientRect().left;
   const y_px = (event: MouseEvent): number => event.clientY - box.getBoundingClientRect().top;
   const middle = (): number => [...down.values()].reduce((sum, px) => sum + px, 0) / Math.max(1, down.size);
-  const spread = (): number => Math.max(20, Math.max(...down.values()) - Math.min(...down.values()));
+  const spread = (): number => (down.size > 1 ? Math.max(20, Math.max(...down.values()) - Math.min(...down.values())) : 0);
 
-  const begin = (kind: Drag["kind"], event: MouseEvent): void => {
-    stretch = view.stretch();
-    drag = {
-      kind, from_px: middle(), from: view.x_at(middle()), from_y_px: y_px(event), axis: view.plot_at(x_px(event), y_px(event)) ?? 0,
-      window: view.window(), heights: view.heights(), spread_px: spread(),
-    };
-  };
-  // What a drag that zooms takes of either axis.
-  const is_wide = (of: Drag): boolean => Math.abs(middle() - of.from_px) > kLeast_px;
-  const is_upright = (of: Drag, event: MouseEvent): boolean => of.kind === "zoom" && Math.abs(y_px(event) - of.from_y_px) > kUpright_px;
-  const show_frame = (of: Drag, event: MouseEvent): void => {
-    const [left, right] = is_wide(of) ? ordered(of.from_px, middle()) : [0, box.clientWidth];
-    const [top, bottom] = ordered(of.from_y_px, y_px(event));
-    view.frame({ left, top, width: right - left, height: bottom - top });
+  const begin = (event: MouseEvent): void => {
+    drag = { from_px: middle(), from: view.x_at(middle()), from_y_px: y_px(event), window: view.window(), heights: view.heights(), spread_px: spread() };
   };
 
   box.addEventListener("pointerdown", (event) => {
     if (event.button !== 0 || !view.whole() || view.plot_at(x_px(event), y_px(event)) === null) return;
+    const moves = ((view.window() || view.heights()) && !event.altKey) || event.pointerType === "touch";
+    const brush = event.shiftKey || view.selecting() ? "lineX" : moves ? false : "rect";
+    view.brush(brush);
+    if (brush) return;
     down.set(event.pointerId, x_px(event));
     box.setPointerCapture(event.pointerId);
-    if (down.size > 1) begin("pinch", event);
-    else if (event.shiftKey || view.selecting()) begin("select", event);
-    else begin(((view.window() || view.heights()) && !event.altKey) || event.pointerType === "touch" ? "move" : "zoom", event);
+    begin(event);
   });
 
   box.addEventListener("pointermove", (event) => {
-    const inside = view.plot_at(x_px(event), y_px(event)) !== null;
     const whole = view.whole();
-    if (!whole) return;
-    view.hover(inside ? view.x_at(x_px(event)) : null);
-    if (!drag || !down.has(event.pointerId)) return;
+    if (!whole || !drag || !down.has(event.pointerId)) return;
     down.set(event.pointerId, x_px(event));
-    const [from, to] = drag.window ?? whole;
-    switch (drag.kind) {
-      case "zoom":
-      case "select":
-        if (is_upright(drag, event)) {
-          if (view.stretch() !== stretch) view.select(stretch, false);
-          show_frame(drag, event);
-          break;
-        }
-        view.frame(null);
-        if (Math.abs(middle() - drag.from_px) > 2) view.select(ordered(drag.from, view.x_at(middle())), false);
-        break;
-      case "move": {
-        // Per pixel as it was when the drag began, for the axis moves under the pointer.
-        const plot_px = (view.x_at(1) - view.x_at(0)) * (drag.from_px - middle());
-        if (drag.window) view.see(panned(drag.window, whole, plot_px));
-        if (drag.heights) {
-          const { axis, range } = drag.heights;
-          const by = (view.y_at(axis, 1) - view.y_at(axis, 0)) * (drag.from_y_px - y_px(event));
-          view.see_heights({ axis, range: [range[0] + by, range[1] + by] });
-        }
-        break;
-      }
-      case "pinch":
-        if (to > from) view.see(zoomed(drag.window, whole, drag.from, spread() / drag.spread_px));
-        break;
-    }
+    if (drag.spread_px > 0) return view.see(zoomed(drag.window, whole, drag.from, spread() / drag.spread_px));
+    // Per pixel as it was when the drag began, for the axis moves under the pointer.
+    const plot_px = (view.x_at(1) - view.x_at(0)) * (drag.from_px - middle());
+    if (drag.window) view.see(panned(drag.window, whole, plot_px));
+    if (!drag.heights) return;
+    const { axis, range } = drag.heights;
+    const by = (view.y_at(axis, 1) - view.y_at(axis, 0)) * (drag.from_y_px - y_px(event));
+    view.see_heights({ axis, range: [range[0] + by, range[1] + by] });
   });
 
   const end = (event: PointerEvent): void => {
-    if (!down.has(event.pointerId)) return;
-    if (drag?.kind === "select" && Math.abs(middle() - drag.from_px) > 2) {
-      view.select(ordered(drag.from, view.x_at(middle())), true);
-    }
-    view.frame(null);
-    if (drag?.kind === "zoom" && (is_wide(drag) || is_upright(drag, event))) {
-      const { axis, from_y_px } = drag;
-      const window = ordered(drag.from, view.x_at(middle()));
-      const heights = is_upright(drag, event) ? { axis, range: ordered(view.y_at(axis, from_y_px), view.y_at(axis, y_px(event))) } : null;
-      view.select(stretch, true);
-      if (is_wide(drag)) view.see(window);
-      if (heights) view.see_heights(heights);
-    }
-    down.delete(event.pointerId);
+    if (!down.delete(event.pointerId)) return;
     drag = null;
-    if (down.size > 0) begin("move", event);
+    if (down.size > 0) begin(event);
   };
   box.addEventListener("pointerup", end);
   box.addEventListener("pointercancel", end);
-  box.addEventListener("pointerleave", () => view.hover(null));
 
   box.addEventListener("dblclick", () => view.see(null));
 
-  box.addEventListener(
-    "wheel",
-    (event) => {
-      const whole = view.whole();
-      const asked = event.ctrlKey || event.metaKey || document.activeElement === box;
-      if (!whole || !asked || view.plot_at(x_px(event), y_px(event)) === null) return;
-      // All is seen already: a focused chart gives the wheel back to the page.
-      if (!view.window() && event.deltaY > 0 && !event.ctrlKey && !event.metaKey) return;
-      event.preventDefault();
-      view.see(zoomed(view.window(), whole, view.x_at(x_px(event)), wheel_factor(event)));
-    },
-    { passive: false },
-  );
+  zooming_wheel(box, (event) => {
+    const whole = view.whole();
+    if (!whole || view.plot_at(x_px(event), y_px(event)) === null) return false;
+    // All is seen already: a focused chart gives the wheel back to the page.
+    if (!view.window() && event.deltaY > 0 && !is_held(event)) return false;
+    view.see(zoomed(view.window(), whole, view.x_at(x_px(event)), wheel_factor(event)));
+    return true;
+  });
 };
 
-// A picture that is magnified about its middle: by the wheel with Ctrl held, or alone once the picture has the focus,
-// by two fingers, and by + and -; 0 or a double click gives it back (null).
+// A picture that is magnified about its middle: by the wheel, by two fingers, and by + and -; 0 or a double click gives it
+// back (null).
 export const magnify_by = (box: HTMLElement, magnify: (factor: number | null) => void): void => {
-  box.addEventListener(
-    "wheel",
-    (event) => {
-      if (!event.ctrlKey && !event.metaKey && document.activeElement !== box) return;
-      event.preventDefault();
-      magnify(wheel_factor(event));
-    },
-    { passive: false },
-  );
+  zooming_wheel(box, (event) => (magnify(wheel_factor(event)), true));
   box.addEventListener("dblclick", () => magnify(null));
   box.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -270,5 +233,3 @@ export const zoomed = (window: Range | null, all: Range, at: number, factor: num
 
 export const panned = (window: Range | null, all: Range, by: number): Range | null =>
   window && within([window[0] + by, window[1] + by], all);
-
-export const ordered = (a: number, b: number): Range => (a <= b ? [a, b] : [b, a]);

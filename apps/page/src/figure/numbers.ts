@@ -4,6 +4,7 @@ import { button, details_of, element, table_of } from "../elements/elements";
 import type { Numbers, Range } from "../picture";
 import { shown } from "../drawing/theme";
 import { t } from "../texts/texts";
+import { extent } from "../drawing/columns";
 import { capital, split_name, words } from "../drawing/text";
 
 const kRows = 200;
@@ -136,28 +137,13 @@ export const statistics_within = (numbers: Numbers, stretch: readonly [number, n
   });
   return numbers.columns.slice(1).flatMap(({ name, values }) => {
     if (/(^|_)sigma(_|$)/.test(name)) return [];
-    let n = 0;
-    let mean = 0;
-    let squares = 0; // of the differences from the mean, by Welford's recurrence
-    let least = Infinity;
-    let largest = -Infinity;
-    let first: number | null = null;
-    let last = 0;
-    for (const row of inside) {
-      const value = values[row];
-      if (typeof value !== "number") continue;
-      n += 1;
-      const difference = value - mean;
-      mean += difference / n;
-      squares += difference * (value - mean);
-      least = Math.min(least, value);
-      largest = Math.max(largest, value);
-      first ??= value;
-      last = value;
-    }
-    if (n === 0 || first === null) return [];
-    return [
-      { name, n, mean, deviation: n > 1 ? Math.sqrt(squares / (n - 1)) : null, least, largest, change: last - first },
-    ];
+    const known = inside.flatMap((row) => values[row] ?? []).filter((value) => typeof value === "number");
+    const [first, last] = [known[0], known.at(-1)];
+    if (first === undefined || last === undefined) return [];
+    const n = known.length;
+    const mean = known.reduce((sum, value) => sum + value / n, 0);
+    const squares = known.reduce((sum, value) => sum + (value - mean) ** 2, 0);
+    const [least, largest] = extent([known]);
+    return [{ name, n, mean, deviation: n > 1 ? Math.sqrt(squares / (n - 1)) : null, least, largest, change: last - first }];
   });
 };

@@ -1,5 +1,6 @@
 // The interface of a figure for pointer and keys.
 import type { Heights, Range } from "../picture";
+import type { Brush } from "./charts";
 
 export interface View {
   box: HTMLElement; // of the chart
@@ -13,9 +14,8 @@ export interface View {
   heights(): Heights | null;
   see(window: Range | null): void; // null: all, of the heights too
   see_heights(heights: Heights): void;
-  frame(box: { left: number; top: number; width: number; height: number } | null): void; // that a drag draws
   select(stretch: Range | null, done: boolean): void;
-  hover(x: number | null): void;
+  brush(kind: Brush): void; // what a drag draws
 }
 
 // The interface between a figure and its page: light or dark, and the common window of figures over time.
@@ -25,6 +25,5 @@ export interface PageState {
   time_window(): Range | null;
   time_whole(): Range | null; // of all figures over time that are drawn
   see_time(window: Range | null): void;
-  hover_time(x: number | null): void;
   say(text: string): void; // to those who listen
 }

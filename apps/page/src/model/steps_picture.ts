@@ -1,12 +1,12 @@
 // What each effect answers to a step of its input: how much, and how fast.
 import { curve, lines_across } from "../drawing/curve";
-import { decimated } from "../drawing/columns";
+import { decimated, extent } from "../drawing/columns";
 import { curves_base } from "../drawing/hover";
 import type { Picture } from "../picture";
 import type { Checked, Num } from "../report";
 import { labels_once, plain, unit_shown } from "../drawing/text";
 import { axis, colours, curve_colour, dashes, digits, mark_of, minutes, shown, time_text, toggle } from "../drawing/theme";
-import { x_axis } from "../drawing/axes";
+import { time_limits, x_axis } from "../drawing/axes";
 import { columns_of, grid_of } from "../drawing/parts";
 import { t } from "../texts/texts";
 
@@ -22,6 +22,7 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
   const names_in_files = names_of(steps, digits);
   const toggles = steps.map((_, k) => toggle(`step${k}`, names[k] ?? "", k, mark_of(k)));
   const times = steps.map((step) => step.time_s.map(minutes));
+  const limits = time_limits(extent(times));
   return {
     name,
     title: t.model_steps_title,
@@ -41,7 +42,7 @@ export const steps_picture = (checked: Checked, name: string): Picture => {
       return {
         ...curves_base(state, toggles, { drawn, head: (at) => time_text(at, 1), unit: "µm" }),
         grid: grid_of(look),
-        xAxis: x_axis(look, t.model_steps_axis, window, { min: "dataMin", max: "dataMax" }),
+        xAxis: x_axis(look, t.model_steps_axis, window, limits),
         yAxis: axis(look, t.model_added_axis, "y"),
         series: [...drawn, moment],
       };

@@ -35,9 +35,6 @@ export const shared_by_figures = (voice: HTMLElement): Shared => {
       time_window = window;
       for (const figure of over_time()) figure.redraw();
     },
-    hover_time(x) {
-      for (const figure of over_time()) figure.point(x);
-    },
     clear(but = []) {
       for (const figure of figures.values()) if (!but.includes(figure)) figure.leave();
       figures.clear();

@@ -1,14 +1,14 @@
 // Recordings with the bar along the spindle: its length over the time of a recording, all tests or one.
 import { bar_of_tests, places_of, times_named, toggles_of_tests } from "./all_tests";
 import { curve, type Point } from "../drawing/curve";
-import { decimated } from "../drawing/columns";
+import { decimated, extent } from "../drawing/columns";
 import { curves_base } from "../drawing/hover";
 import type { Numbers, Picture, State, Toggle } from "../picture";
 import { labels_of } from "./recording_groups";
 import type { Num, Recording } from "../report";
 import { columns_of, grid_of } from "../drawing/parts";
 import { axis, curve_colour, minutes, sequence_colour, shown, toggle } from "../drawing/theme";
-import { x_axis } from "../drawing/axes";
+import { time_limits, x_axis } from "../drawing/axes";
 import { t } from "../texts/texts";
 
 interface Axial {
@@ -76,7 +76,7 @@ export const axial_picture = (recordings: readonly Recording[]): Picture => {
       return {
         ...curves_base(state, toggles(state.chosen), { drawn: series, head: (time) => `${shown(time)} s`, unit: "µm", most: 12 }),
         grid,
-        xAxis: x_axis(look, t.recordings_time_axis, window),
+        xAxis: x_axis(look, t.recordings_time_axis, window, time_limits(extent(drawn.map(({ time_s }) => time_s)))),
         yAxis: axis(look, t.deviation_axis, "y"),
         graphic: many ? bar_of_tests(all, state, Number(grid["top"]) - 28) : [],
         series,
