@@ -1,11 +1,12 @@
 // A folder first: several ballbar tests are a table of all, worst first by the number shown, from which one is opened, two
 // are compared, and the trend is a tab; a folder of logs is runs.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { at_rest, drop, kLong, live } from "./live_page.mjs";
-import { json_of, of_run } from "./reports.mjs";
+import { at_rest, drop, dropped, kLong, live, saved } from "./live_page.mjs";
+import { folder, json_of, of_run } from "./reports.mjs";
 import { files_below } from "./tool.mjs";
 
 const kTable = ".first .table table";
@@ -122,6 +123,90 @@ test("logs of one folder with the same columns open as runs, as on the terminal;
   await select.selectOption({ index: 3 });
   await at_rest(page);
   assert.match(await page.innerText(".live-report h1"), /run 3\.csv/);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+// { name in the archive: file on the disk, or text }
+const zip_of = (name, entries) => {
+  const path = join(folder, name);
+  const script = "import json, os, sys, zipfile\nwith zipfile.ZipFile(sys.argv[1], 'w', zipfile.ZIP_DEFLATED) as made:\n  for name, held in json.load(sys.stdin).items(): made.write(held, name) if os.path.isabs(held) else made.writestr(name, held)";
+  execFileSync("python3", ["-c", script, path], { input: JSON.stringify(entries), env: { ...process.env, PYTHONUTF8: "1" } });
+  return path;
+};
+const tests_of_days = (...days) =>
+  Object.fromEntries(days.flatMap((day) => files_below(day, of_run("machine-history", day)).filter(([path]) => path.endsWith(".b5r"))));
+
+test("archives are the tests inside: the same table as of the files, sub folders, names of any language, nothing of what systems hide", async () => {
+  const days = tests_of_days("2025-01-20", "2026-01-19");
+  const paths = Object.keys(days);
+  const strange = (path) => `机床 Prüfungen/${path}`;
+  const junk = Object.fromEntries(paths.flatMap((path) => [[`__MACOSX/${strange(path).replace(/[^/]*$/, "._$&")}`, "\0\u0005\u0016\u0007"], [`${strange(path).replace(/[^/]*$/, "")}.DS_Store`, "Bud1"], ["liesmich.txt", "?"]]));
+  const whole = zip_of("Prüfungen.zip", { ...Object.fromEntries(Object.entries(days).map(([path, file]) => [strange(path), file])), ...junk });
+  const [expected, opened] = [await live(), await live()];
+  await drop(expected.page, Object.fromEntries(Object.entries(days).map(([path, file]) => [path.replaceAll("/", "-"), [...readFileSync(file)]])));
+  await dropped(opened.page, whole);
+  for (const { page } of [expected, opened]) {
+    await table(page);
+    await at_rest(page);
+  }
+  const numbers = async ({ page }) => (await rows_of(page)).map((row) => row.slice(1));
+  assert.equal((await numbers(opened)).length, paths.length);
+  assert.deepEqual(await numbers(opened), await numbers(expected));
+  assert.deepEqual(await head_of(opened.page), await head_of(expected.page));
+  const { page } = opened;
+  assert.equal(await page.locator(".live-shelf .fault").count(), 0);
+  await page.getByRole("button", { name: "2026-01-19/XY.b5r" }).click();
+  await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
+  assert.match(await page.innerText(".first .verdict .made-with"), /2026-01-19 \d\d:\d\d · XY/);
+  await tab(page, "all tests").click();
+  await table(page);
+  const boxes = page.locator(`${kTable} tbody input[type=checkbox]`);
+  const names = (await rows_of(page)).map(([name]) => name);
+  for (const name of ["2025-01-20/XY.b5r", "2026-01-19/XY.b5r"]) await boxes.nth(names.indexOf(name)).check();
+  await page.getByRole("button", { name: "Compare the two" }).click();
+  await page.waitForFunction(() => /^Backlash of X grew/.test(document.querySelector(".first .verdict")?.innerText ?? ""), null, { timeout: kLong });
+  // After a reload the same is compared, out of the archive that the browser kept.
+  await page.reload();
+  await page.waitForSelector("html[data-ready]", { state: "attached" });
+  await page.locator(".kept button").first().click();
+  await page.waitForFunction(() => /^Backlash of X grew/.test(document.querySelector(".first .verdict")?.innerText ?? ""), null, { timeout: kLong });
+  await at_rest(page);
+  // One test, out of the archive that a saved page carries.
+  await tab(page, "all tests").click();
+  await table(page);
+  await page.getByRole("button", { name: "2026-01-19/XY.b5r" }).click();
+  await page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
+  const made_with = await page.innerText(".first .verdict .made-with");
+  const kept = await saved(page, "Report page with the files (.html)");
+  const again = await live();
+  await dropped(again.page, kept);
+  await again.page.waitForSelector('figure[data-picture="machine-errors"]', { timeout: kLong });
+  assert.equal(await again.page.innerText(".first .verdict .made-with"), made_with);
+  for (const { wrong, close } of [expected, opened, again]) {
+    assert.deepEqual(wrong, []);
+    await close();
+  }
+});
+
+test("a folder that holds archives, files and what systems hide: one table; an archive without tests says so", async () => {
+  const disk = join(folder, "stick");
+  mkdirSync(join(disk, "__MACOSX"), { recursive: true });
+  cpSync(zip_of("one.zip", tests_of_days("2025-01-20")), join(disk, "2025.zip"));
+  cpSync(zip_of("two.zip", tests_of_days("2026-01-19")), join(disk, "2026.zip"));
+  cpSync(of_run("qc20-style-b5r", "00.b5r"), join(disk, "00.b5r"));
+  writeFileSync(join(disk, "._00.b5r"), "\0\u0005\u0016\u0007");
+  writeFileSync(join(disk, ".DS_Store"), "Bud1");
+  const { page, wrong, close } = await live();
+  await page.setInputFiles("input[webkitdirectory]", disk);
+  await table(page);
+  await at_rest(page);
+  const tests = Object.keys(tests_of_days("2025-01-20", "2026-01-19")).length + 1;
+  assert.equal((await rows_of(page)).length, tests);
+  assert.deepEqual(await page.$$eval(".live-shelf .live-files li bdi", (all) => all.map((one) => one.textContent).sort()), ["stick/00.b5r", "stick/2025.zip", "stick/2026.zip"]);
+  assert.equal(await page.locator(".live-shelf .fault").count(), 0);
+  await dropped(page, zip_of("holiday.zip", { "beach.txt": "sand" }));
+  await page.waitForSelector(".live-shelf .fault", { state: "attached", timeout: kLong });
   assert.deepEqual(wrong, []);
   await close();
 });

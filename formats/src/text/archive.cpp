@@ -59,6 +59,14 @@ bool stays(const fs::path& name) {
          std::none_of(name.begin(), name.end(), [](const fs::path& part) { return part == ".."; });
 }
 
+// As a folder is walked: without what a system hides, such as "__MACOSX/._00.b5r" of macOS, which holds no test.
+bool is_test(const fs::path& name) {
+  const auto hidden = [](const fs::path& part) {
+    return part.string().starts_with('.') && part != "." && part != "..";
+  };
+  return ends_in(name, kEnding) && std::none_of(name.begin(), name.end(), hidden);
+}
+
 [[noreturn]] void fail(const fs::path& path, std::string_view expected_and_found) {
   throw Error(fmt::format("{}: {}.", path.string(), expected_and_found));
 }
@@ -93,7 +101,7 @@ bool is_archive(const fs::path& path) {
   if (!archive) return ends_in(path, ".zip");  // a damaged one, told where it is opened; other files are zips too
   const zip_int64_t count = std::min(zip_get_num_entries(archive.get(), 0), kMostEntries);
   for (zip_int64_t i = 0; i < count; ++i) {
-    if (ends_in(entry_name(archive.get(), i), kEnding)) return true;
+    if (is_test(entry_name(archive.get(), i))) return true;
   }
   return false;
 }
@@ -107,7 +115,7 @@ std::vector<fs::path> files_in_archive(const fs::path& path) {
   zip_uint64_t bytes = 0;
   for (zip_int64_t i = 0; i < count; ++i) {
     const fs::path name(entry_name(archive.get(), i));
-    if (!ends_in(name, kEnding)) continue;
+    if (!is_test(name)) continue;
     if (!stays(name)) {
       fail(path, fmt::format("expected names that stay inside the archive, found {}", in_quotes(name.string())));
     }

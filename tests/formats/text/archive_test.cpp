@@ -66,6 +66,17 @@ TEST(archive, without_a_b5r_it_is_none) {
   EXPECT_FALSE(is_archive(folder.path() / "nothing"));
 }
 
+TEST(archive, what_a_system_hides_is_no_test) {
+  const ScratchFolder folder;
+  const fs::path zip = write_zip(folder, "mac.zip",
+                                 {{"Prüfungen/1.b5r", good_text("b5r")},
+                                  {"__MACOSX/Prüfungen/._1.b5r", std::string("\0\5\26\7", 4)},
+                                  {".Trashes/2.b5r", good_text("b5r")},
+                                  {"Prüfungen/.DS_Store", "x"}});
+  EXPECT_EQ(files_in_archive(zip), (std::vector<fs::path>{zip / "Prüfungen/1.b5r"}));
+  EXPECT_FALSE(is_archive(write_zip(folder, "hidden.zip", {{"._1.b5r", "x"}})));
+}
+
 TEST(archive, names_that_leave_it_are_refused) {
   const ScratchFolder folder;
   for (const std::string name : {"../out.b5r", "a/../../out.b5r", "/etc/out.b5r"}) {

@@ -51,6 +51,7 @@ export const kind_of = (name: string, head: string): Kind => {
   const ending = /\.([A-Za-z0-9]+)$/.exec(name)?.[1]?.toLowerCase() ?? "";
   switch (ending) {
     case "b5r":
+    case "zip": // of tests: the program reads what is inside
       return "recording";
     case "html":
     case "htm":
@@ -102,18 +103,23 @@ const all_of = async (entry: FileSystemEntry, before: string): Promise<Dropped[]
   return inside;
 };
 
+// What a system or a program hides beside data, as macOS does on every stick: ".DS_Store", "._00.b5r".
+const is_hidden = ({ name }: Dropped): boolean => /(^|\/)\.[^./]/.test(name);
+
 // The entries have to be taken while the event is handled; reading them can wait.
 export const dropped_of = async (transfer: DataTransfer): Promise<Dropped[]> => {
   const entries = [...transfer.items].flatMap((item) => (item.kind === "file" ? [item.webkitGetAsEntry()] : []));
   const files = [...transfer.files];
-  if (entries.length === 0 || entries.includes(null)) return files.map((file) => ({ name: file.name, file }));
+  if (entries.length === 0 || entries.includes(null)) return seen_of(files);
   const all: Dropped[] = [];
   for (const entry of entries) if (entry) all.push(...(await all_of(entry, "")));
-  return all;
+  return all.filter((one) => !is_hidden(one));
 };
 
-export const chosen_of = (input: HTMLInputElement): Dropped[] =>
-  [...(input.files ?? [])].map((file) => ({ name: file.webkitRelativePath || file.name, file }));
+const seen_of = (files: Iterable<File>): Dropped[] =>
+  [...files].map((file) => ({ name: file.webkitRelativePath || file.name, file })).filter((one) => !is_hidden(one));
+
+export const chosen_of = (input: HTMLInputElement): Dropped[] => seen_of(input.files ?? []);
 
 const kLongest = 120; // letters of a part of a path
 
@@ -236,9 +242,17 @@ export const groups_of = (held: readonly Held[]): Group[] => {
   return groups;
 };
 
-// Ballbar tests in one folder are also a session: the drift from test to test.
-export const folder_as_session = (group: Group): string =>
-  group.kind === "recordings" && group.files.length > 1 ? folder_of_all(group.files).replace(/\/$/, "") : "";
+const is_archive = ({ kind, head }: Held): boolean => kind === "recording" && head.startsWith("PK");
+
+// Whether a word of a command is the file, or lies in it.
+export const is_within = (word: string, file: string): boolean => word === file || word.startsWith(`${file}/`);
+
+// Ballbar tests in one folder, or in one archive, are also a session: the drift from test to test.
+export const folder_as_session = ({ kind, files }: Group): string => {
+  if (kind !== "recordings" || (files.length > 1 && files.some(is_archive))) return "";
+  const [first] = files;
+  return files.length > 1 ? folder_of_all(files).replace(/\/$/, "") : first && is_archive(first) ? first.path : "";
+};
 
 // A page that `report` wrote, or that was saved here: its data, and the files that it may carry.
 

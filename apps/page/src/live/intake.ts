@@ -1,6 +1,6 @@
 // New files: passes them to the engine under safe paths, and stores them in the browser; reports a file that does not
 // fit and leaves it out.
-import { type Dropped, head_of, type Held, kind_of, read_report_file, type ReportFile, safe_paths } from "./files";
+import { type Dropped, head_of, type Held, is_within, kind_of, read_report_file, type ReportFile, safe_paths } from "./files";
 import { bytes_of, type Engine, type Sample } from "../engine";
 import { reason, type View, type Work } from "./runs";
 import type { Stretch } from "./history_of_steps";
@@ -120,10 +120,12 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       }));
       const taken = await take_in(files);
       const put_as = new Map(read.files.map(({ path }, k) => [path, paths[k] ?? ""]));
-      // A word may be a folder of these files. Without one of them nothing can be gone on with.
+      // A word may be a file, or lie in an archive, or be a folder of these files. Without one of them nothing can be gone on with.
       const word = (path: string): string | null => {
         const inside = path === "." ? "" : `${path.replace(/\/$/, "")}/`;
-        return put_as.get(path) ?? (read.files.some((one) => one.path.startsWith(inside)) ? `${folder}/${inside}`.replace(/\/$/, "") : null);
+        const archive = read.files.find((one) => is_within(path, one.path));
+        if (archive) return (put_as.get(archive.path) ?? "") + path.slice(archive.path.length);
+        return read.files.some((one) => one.path.startsWith(inside)) ? `${folder}/${inside}`.replace(/\/$/, "") : null;
       };
       const words = read.data.map(word);
       const data = words.every((one) => one !== null) ? words : [];

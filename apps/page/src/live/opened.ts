@@ -4,7 +4,7 @@ import { type Columns, columns_with } from "./columns";
 import { answer_of, look_words, reason, Refused, type Runs, type Subject, type Work } from "./runs";
 import { with_said } from "./log_words";
 import type { Engine, Sample } from "../engine";
-import { type Group, groups_of, type Held, last_part } from "./files";
+import { type Group, groups_of, type Held, is_within, last_part } from "./files";
 import type { Intake, Kept, Store } from "./intake";
 import type { LivePage } from "./live_page";
 import { type Loop, loop_of } from "./loop";
@@ -57,7 +57,7 @@ const is_no_data = ({ name, head }: Held): boolean =>
   /\.(md|sh|py|svg|png|jpe?g)$|(^|\/)[A-Z]+$/i.test(name) || head.includes('"ballbar-');
 
 const kind_of_data = (files: readonly Held[], data: readonly string[]): Group["kind"] => {
-  switch (files.find(({ path }) => data.includes(path))?.kind) {
+  switch (files.find(({ path }) => data.some((word) => is_within(word, path)))?.kind) {
     case "recording":
       return "recordings";
     case "series":
@@ -95,6 +95,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
   };
 
   const tests = new Map<string, readonly TestHead[]>(); // by group
+  const tests_known = ({ key }: Group): readonly TestHead[] => tests.get(key) ?? [];
   const tests_of = async (group: Group): Promise<readonly TestHead[]> => {
     if (group.kind !== "recordings") return [];
     const known = tests.get(group.key);
@@ -352,12 +353,12 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     report: () => report,
     loop: () => loop,
     groups,
-    tests: ({ key }) => tests.get(key) ?? [],
+    tests: tests_known,
     others: () => (subject ? others_of(subject, tests, groups()) : []),
     opening(tests) {
       if (!subject) return null;
       const { group } = subject;
-      const near = [...subject.compared, ...subject.data];
+      const near = [...subject.compared, ...subject.data, ...tests_known(group).flatMap(files_of)]; // of an archive those inside
       const [data, compared] = [tests.data, tests.compared].map((files) => files.map((file) => near.find((path) => path === file || last_part(path) === file) ?? ""));
       if (!data || !compared || [...data, ...compared].includes("")) return null;
       return () => void open(group, { data, compared, view: "", model: "" });
