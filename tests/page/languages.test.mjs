@@ -2,7 +2,7 @@
 // carries: the verdict with how sure it is and where it fails, effects, parameters, what the program remarks.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { at_rest, kLong, live } from "./live_page.mjs";
+import { at_rest, drop, kLong, live } from "./live_page.mjs";
 
 const samples = ["hidden-effect", "qc20-style-b5r", "two-arcs-he2015", "spindle-rotation-huang2022", "foreign-logs", "compensation"];
 
@@ -58,3 +58,82 @@ for (const [locale, verdict] of [["de-DE", /\((über )?\d+ % sicher\)|^Der Restf
     });
   }
 }
+
+// Two bearings that warm nearly alike: the data do not tell which moves the spindle.
+const two_bearings = (names) => {
+  let [front, rear, state] = [0, 0, 7];
+  const noise = () => Array.from({ length: 12 }, () => (state = (state * 48271) % 2147483647) / 2147483647).reduce((sum, one) => sum + one, -6);
+  const rows = Array.from({ length: 240 }, (_, k) => {
+    const goal = Math.floor(k / 60) % 2 === 0 ? 12 : 0;
+    front += (goal - front) / 25;
+    rear += (goal - rear) / 26;
+    return [60 * k, 20 + front, 20.4 + 0.8 * rear + 0.02 * noise(), 0.5 * front + 0.8 * noise()].map((value) => value.toFixed(4)).join();
+  });
+  return `${names.join()}\n${rows.join("\n")}\n`;
+};
+const searched = async (page) => {
+  await at_rest(page);
+  await page.click(".next button.act:visible");
+  await page.waitForSelector('.live-loop[data-search="done"]', { timeout: kLong });
+  await at_rest(page);
+};
+// The button is pressed and the language changed before the program can answer.
+const pressed_and_said = (page, button, language) =>
+  page.evaluate(
+    ([button, language]) => {
+      document.querySelector(button).click();
+      const select = document.querySelector(".page-tools select");
+      select.value = language;
+      select.dispatchEvent(new Event("change", { bubbles: true }));
+      const work = document.querySelector(".live-work");
+      return [Number(work.dataset.waiting), work.textContent];
+    },
+    [button, language],
+  );
+
+test("a plan and a comparison that run when the language changes come in the new one, and stay in the next; so does the verdict", async () => {
+  const { page, wrong, close } = await live();
+  await drop(page, { "two.csv": two_bearings(["time_s", "front_bearing_degC", "rear_bearing_degC", "z_um"]) });
+  await searched(page);
+  const said = () => page.innerText(".live-loop .said");
+  const english_verdict = await said();
+  const speak = async (language) => {
+    await page.locator(".page-tools select").selectOption(language);
+    await page.waitForSelector(`.live-loop[lang="${language}"]`);
+  };
+
+  await page.click(".live-plan > summary");
+  await page.locator(".live-plan select").selectOption("4");
+  const [waiting] = await pressed_and_said(page, ".live-plan .buttons > button", "de");
+  assert.ok(waiting > 0);
+  const plan = page.locator(".live-plan [aria-live] p");
+  await plan.waitFor({ timeout: kLong });
+  assert.equal(await plan.innerText(), "Kein Test bis 4 h würde es entscheiden. Keiner wird vorgeschlagen.");
+  assert.equal(await page.inputValue(".live-plan select"), "4");
+  assert.notEqual(await said(), english_verdict);
+  await speak("en");
+  assert.equal(await plan.innerText(), "No test of up to 4 h would decide. None is proposed.");
+  assert.equal(await said(), english_verdict);
+
+  await page.click(".live-two > summary");
+  const chosen = () => page.$$eval(".live-two select", (all) => all.map(({ value }) => value));
+  await page.locator(".live-two select").first().selectOption("");
+  const both = await chosen();
+  assert.notEqual(both[0], both[1]);
+  const [fitting, words] = await pressed_and_said(page, ".live-two .buttons > button", "de");
+  assert.ok(fitting > 0);
+  assert.doesNotMatch(words, /Fitting/);
+  await page.waitForSelector('figure[data-picture="hypothesis-2"]', { timeout: kLong });
+  await at_rest(page);
+  assert.deepEqual(await chosen(), both);
+  assert.match(await page.innerText(".live-two .sides h4 >> nth=0"), /Modell/);
+  const numbers = () => page.$$eval(".live-two tbody td + td", (all) => all.map((one) => one.textContent.replace(",", ".")).filter((one) => /^[\d.]+$/.test(one)));
+  const of_german = await numbers();
+  assert.ok(of_german.length > 6);
+  await speak("en");
+  assert.deepEqual(await numbers(), of_german);
+  assert.equal(await page.locator(".live-two figure canvas").count(), 2);
+  assert.equal(await said(), english_verdict);
+  assert.deepEqual(wrong, []);
+  await close();
+});

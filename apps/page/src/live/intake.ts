@@ -76,7 +76,7 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
   const put_all = async (files: readonly Incoming[]): Promise<Held[]> => {
     const taken: Held[] = [];
     for (const [k, { path, name, file }] of files.entries()) {
-      taken.push(await work.during(t.live_taking({ name: plain(name, 60), part: k + 1, whole: files.length }), (share) => put(path, name, file, share)));
+      taken.push(await work.during(() => t.live_taking({ name: plain(name, 60), part: k + 1, whole: files.length }), (share) => put(path, name, file, share)));
     }
     return taken;
   };

@@ -4,13 +4,12 @@ import type { Proposed } from "../diagnosis/next_action";
 import { plain } from "../drawing/text";
 import type { Figure } from "../figure/figure";
 import type { PageState } from "../figure/view";
-import type { Diagnosed, HypothesesPart, Report } from "../report";
+import type { Diagnosed, Report } from "../report";
 import { said, type Sentence, t } from "../texts/texts";
 import { looked_at, posterior_in } from "./candidates";
 import type { Catalogue } from "./catalogue";
 import type { ModelState, Step, Stretch } from "./history_of_steps";
 import { type LoopView, loop_view } from "./loop_view";
-import type { NextTestOf } from "./next_test";
 import { type HandChange, Interrupted, type Part, reason, Refused, type Runs, set_key, type Subject, type Work } from "./runs";
 import { time_spoken } from "./spoken";
 import { of_target, store_of } from "./store";
@@ -27,7 +26,6 @@ export interface LoopOf {
   page: PageState;
   bytes_of(path: string): Promise<Uint8Array>;
   put(path: string, bytes: Uint8Array): Promise<void>;
-  plan: NextTestOf["plan"];
   has_unit(target: string): boolean;
   state_unit(): void; // the dialogue of the columns
   across(gap_s: number, search: boolean): void; // opens the data again, interpolated over gaps of this length; and searches
@@ -283,14 +281,26 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       const n = fitted.peek()?.series.time_s.length ?? 0;
       told.value = () => (left_out.length > 0 ? t.hands_left_out_now({ n }) : t.hands_all_in({ n }));
     });
-  const compare = async (hypotheses: readonly (readonly string[])[]): Promise<HypothesesPart | null> => {
-    let both = null;
+  // An answer is of what was asked, whatever is shown when it comes.
+  const plan = async (): Promise<void> => {
+    const of_found = found.peek();
+    store.planning.value = true;
+    const planned = await runs.plan(subject.peek(), store.plan_hours.peek()).catch((error: unknown) => () => reason(error));
+    batch(() => {
+      store.planning.value = false;
+      store.plan.set(planned, of_found);
+    });
+  };
+  const compare = async (labels: readonly string[]): Promise<void> => {
+    const of_fit = fitted.peek();
+    store.both.set(null);
+    store.comparing.value = true;
     await attempt(async () => {
       stop_search();
-      both = await runs.compare(subject.peek(), hypotheses);
+      store.both.set(await runs.compare(subject.peek(), labels.map((label) => (label === "" ? [] : [label]))), of_fit);
     });
+    store.comparing.value = false;
     if (!found.peek() && store.took_ms.peek() > 0) search_again();
-    return both;
   };
   const choose = (target: string): void => {
     subject.value = { ...subject.peek(), target };
@@ -306,8 +316,10 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       tell_page();
     },
     rewrite() {
+      const open = [...view.element.querySelectorAll("details[open]")].map(({ className }) => className);
       view.leave();
       view = written();
+      for (const name of open) view.element.querySelector(`details.${name}`)?.setAttribute("open", "");
       tell_page();
     },
     refused: tell,
@@ -408,8 +420,9 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
   };
   const written = (): LoopView =>
     loop_view({
-      store, targets, catalogue, page, to_optimum, choose, compare,
-      plan: of.plan,
+      store, targets, catalogue, page, to_optimum, choose,
+      plan: () => void plan(),
+      compare: (labels) => void compare(labels),
       has_unit: of.has_unit,
       state_unit: of.state_unit,
       add_figure: of.add_figure,

@@ -8,7 +8,7 @@ import { type Figure, figure_of } from "../figure/figure";
 import type { PageState } from "../figure/view";
 import { plain_name } from "../machine_errors/error_names";
 import type { Range } from "../picture";
-import type { Checked, HypothesesPart, Report } from "../report";
+import type { Checked, Report } from "../report";
 import { language, type Sentence, sentence_text, t } from "../texts/texts";
 import { candidate_list, fall_shown, posterior_bars } from "./candidates";
 import type { Catalogue } from "./catalogue";
@@ -17,7 +17,7 @@ import { fit_picture, type Now } from "./fit_picture";
 import type { Stretch } from "./history_of_steps";
 import { left_out_bar } from "./left_out";
 import { type ModelList, model_list } from "./model_list";
-import { next_test, type NextTestOf } from "./next_test";
+import { next_test } from "./next_test";
 import type { HandChange } from "./runs";
 import { time_spoken } from "./spoken";
 import type { Store } from "./store";
@@ -28,7 +28,7 @@ export interface LoopViewOf {
   targets: readonly string[]; // to choose from
   catalogue: Catalogue;
   page: PageState;
-  plan: NextTestOf["plan"];
+  plan(): void; // the next test
   has_unit(target: string): boolean;
   state_unit(): void;
   add_figure(figure: Figure): void;
@@ -45,7 +45,7 @@ export interface LoopViewOf {
   promise(effects: readonly (readonly string[])[]): void;
   change(change: HandChange): void;
   leave_out(left_out: readonly Stretch[]): void;
-  compare(hypotheses: readonly (readonly string[])[]): Promise<HypothesesPart | null>;
+  compare(labels: readonly string[]): void;
 }
 
 export interface LoopView {
@@ -122,14 +122,14 @@ export const loop_view = ({ store, targets, catalogue, page, ...of }: LoopViewOf
   });
   const candidates = candidate_list(of.add, (one) => store.candidate.set(one), of.promise);
   const two = two_hypotheses({
+    store,
     page,
     add_figure: of.add_figure,
-    report: () => store.report.peek(),
     compare: of.compare,
-    keep: (label) => (label === "" ? two.forget() : of.add([label])),
+    keep: (label) => (label === "" ? store.both.set(null) : of.add([label])),
   });
   const effects = effect_search({ catalogue, add: (label) => of.add([label]), beside: (label) => two.beside(label) });
-  const plan = next_test({ plan: of.plan, subject: () => subject.peek(), took_ms: () => store.took_ms.peek() });
+  const plan = next_test(store, of.plan);
   const target_list = targets.map((target) => [target, plain(target, 60)] as const);
   const { select: target_choice, label: target_label } = select_of(t.live_explained, target_list, of.choose);
   target_label.hidden = targets.length < 2;
@@ -210,15 +210,13 @@ export const loop_view = ({ store, targets, catalogue, page, ...of }: LoopViewOf
       candidates.promise(store.promised.now.peek());
     },
     () => {
-      two.offer(found.value?.candidates ?? []);
-      if (found.value) plan.show(found.value);
+      if (found.value) plan.offer(found.value);
     },
+    plan.show,
+    two.offer,
+    two.show,
     () => candidates.promise(store.promised.now.value),
     () => posterior.show(store.posterior.value),
-    () => {
-      void fitted.value;
-      two.forget();
-    },
     () => {
       const choices = store.choices.now.value;
       if (choices) effects.show(choices, fitted.value?.level ?? (subject.value.group.kind === "recordings" ? "recording" : "series"));
@@ -237,15 +235,17 @@ export const loop_view = ({ store, targets, catalogue, page, ...of }: LoopViewOf
   ];
   const leaves = [...views.map((view) => effect(view)), list.leave];
 
+  const figures = (): Figure[] => [...(made ? [made.figure] : []), ...two.figures()];
   return {
     element: all,
-    figures: () => [...(made ? [made.figure] : []), ...two.figures()],
+    figures,
     slider: list.slider,
     open_plan: plan.open,
     focus_undo: () => undo.focus({ preventScroll: true }),
     select_nothing: () => made?.figure.select(null),
     leave() {
       for (const leave of leaves) leave();
+      for (const figure of figures()) figure.leave(); // else its chart would stay linked
     },
   };
 };

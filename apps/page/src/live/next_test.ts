@@ -1,23 +1,18 @@
 // The run of the machine that would decide the open question. It takes long and is therefore started by a button.
-import { last_part } from "./files";
 import { button, details_of, element, select_of, table_of, text_in } from "../elements/elements";
 import type { Diagnosed, Plan } from "../report";
-import { answer_of, plan_words, reason, type Runs, type Subject, type Work } from "./runs";
+import type { PlannedFiles } from "./runs";
 import { save } from "../figure/files";
 import { plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
 import { duration_spoken } from "./spoken";
 import { said, sentence_text, t } from "../texts/texts";
-import type { Engine } from "../engine";
-
-export interface PlannedFiles {
-  plan: Plan;
-  files: readonly { name: string; bytes: Uint8Array }[];
-}
+import type { Store } from "./store";
 
 export interface NextTest {
   element: HTMLElement;
-  show(found: Diagnosed): void;
+  offer(found: Diagnosed): void;
+  show(): void; // the plan
   open(): void;
 }
 
@@ -38,21 +33,16 @@ const tests_table = (tests: Plan["tests"]): HTMLElement =>
     ]),
   });
 
-export interface NextTestOf {
-  plan: (subject: Subject, hours: number) => Promise<PlannedFiles | string>; // or why not
-  subject: () => Subject;
-  took_ms: () => number; // the last search; 0: there was none
-}
-
-export const next_test = ({ plan, subject, took_ms }: NextTestOf): NextTest => {
+export const next_test = (store: Store, plan: () => void): NextTest => {
   const { select: hours, label: hours_label } = select_of(
     t.live_longest,
     kHours.map((one) => [String(one), t.live_hours({ count: one })]),
+    (value) => (store.plan_hours.value = Number(value)),
   );
-  hours.value = "12";
+  hours.value = String(store.plan_hours.peek());
   const takes = element("span");
   const answer = element("div", { "aria-live": "polite" });
-  const start = button(t.live_plan, t.live_plan_title, () => void ask());
+  const start = button(t.live_plan, t.live_plan_title, plan);
   const box = details_of(
     "live-plan",
     t.live_next_test,
@@ -61,38 +51,33 @@ export const next_test = ({ plan, subject, took_ms }: NextTestOf): NextTest => {
     answer,
   );
   box.hidden = true;
-  const say_duration = (): void => {
-    const ms = kSearches * took_ms();
-    takes.textContent = ms > 0 ? t.live_takes({ duration: duration_spoken(ms) }) : t.live_takes_long;
-  };
-  let pictures: string[] = [];
 
-  const ask = async (): Promise<void> => {
-    start.disabled = true;
-    const planned = await plan(subject(), Number(hours.value));
-    start.disabled = false;
-    for (const url of pictures) URL.revokeObjectURL(url);
-    pictures = [];
-    if (typeof planned === "string") return answer.replaceChildren(element("p", {}, planned));
-    const drawn = planned.files.find(({ name }) => name === "plan.svg");
-    const parts: HTMLElement[] = [text_in("p", said(planned.plan.sentence, planned.plan.message))];
-    if (planned.plan.tests.length > 0) parts.push(tests_table(planned.plan.tests));
+  const parts_of = ({ plan, files }: PlannedFiles): HTMLElement[] => {
+    const drawn = files.find(({ name }) => name === "plan.svg");
+    const parts: HTMLElement[] = [text_in("p", said(plan.sentence, plan.message))];
+    if (plan.tests.length > 0) parts.push(tests_table(plan.tests));
     if (drawn) {
       const url = URL.createObjectURL(new Blob([new Uint8Array(drawn.bytes)], { type: "image/svg+xml" }));
-      pictures.push(url);
-      parts.push(element("img", { src: url, alt: t.live_plan_picture, class: "plan" }));
+      const image = element("img", { src: url, alt: t.live_plan_picture, class: "plan" });
+      image.addEventListener("load", () => URL.revokeObjectURL(url));
+      parts.push(image);
     }
-    const files = planned.files.map(({ name, bytes }) => button(name, t.live_save_file({ name }), () => save(name, new Blob([new Uint8Array(bytes)]))));
-    if (files.length > 0) parts.push(element("div", { class: "buttons" }, ...files));
-    answer.replaceChildren(...parts);
+    const saves = files.map(({ name, bytes }) => button(name, t.live_save_file({ name }), () => save(name, new Blob([new Uint8Array(bytes)]))));
+    if (saves.length > 0) parts.push(element("div", { class: "buttons" }, ...saves));
+    return parts;
   };
 
   return {
     element: box,
-    show(found) {
+    offer(found) {
       box.hidden = found.next_test === null;
-      say_duration();
-      answer.replaceChildren();
+      const ms = kSearches * store.took_ms.peek();
+      takes.textContent = ms > 0 ? t.live_takes({ duration: duration_spoken(ms) }) : t.live_takes_long;
+    },
+    show() {
+      const plan = store.plan.now.value;
+      start.disabled = store.planning.value;
+      answer.replaceChildren(...(plan === null ? [] : typeof plan === "function" ? [element("p", {}, plan())] : parts_of(plan)));
     },
     open() {
       box.hidden = false;
@@ -102,19 +87,3 @@ export const next_test = ({ plan, subject, took_ms }: NextTestOf): NextTest => {
     },
   };
 };
-
-// A plan of the program, with the files that it wrote.
-
-export const planned_with =
-  (engine: Engine, work: Work, runs: Runs): NextTestOf["plan"] =>
-  async (subject, hours) => {
-    try {
-      const folder = runs.free_name("plans", "plan");
-      const plan = answer_of<Plan>(await work.run(plan_words(subject, hours, folder), { what: () => t.live_planning }));
-      const paths = engine.list().flatMap(({ path }) => (path.startsWith(`${folder}/`) ? [path] : []));
-      const files = await Promise.all(paths.map(async (path) => ({ name: last_part(path), bytes: await engine.get(path) })));
-      return { plan, files };
-    } catch (error) {
-      return reason(error);
-    }
-  };

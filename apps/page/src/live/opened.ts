@@ -8,7 +8,6 @@ import { type Group, groups_of, type Held, is_within, last_part } from "./files"
 import type { Intake, Kept, Store } from "./intake";
 import type { LivePage } from "./live_page";
 import { type Loop, loop_of } from "./loop";
-import { planned_with } from "./next_test";
 import type { Report, TestHead } from "../report";
 import { look_at, type Other, others_of, relation_of } from "./tests";
 import { t } from "../texts/texts";
@@ -181,7 +180,6 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       page: page.state,
       bytes_of: (path) => engine.get(path),
       put: (path, bytes) => engine.put(path, bytes),
-      plan: planned_with(engine, work, runs),
       has_unit: (target) => measured_in(first).every(({ name, unit }) => name !== target || unit !== ""),
       state_unit: () => columns.button.click(),
       across(gap_s, search) {

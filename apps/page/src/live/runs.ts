@@ -5,9 +5,9 @@ import { button, element } from "../elements/elements";
 import { duration_spoken } from "./spoken";
 import type { Message } from "../texts/messages";
 import { said, type Sentence, t } from "../texts/texts";
-import type { Group } from "./files";
+import { type Group, last_part } from "./files";
 import { answer_without_advice, type LogWords, without_advice } from "./log_words";
-import type { HypothesesPart, Report, SignalGap, TestHead } from "../report";
+import type { HypothesesPart, Plan, Report, SignalGap, TestHead } from "../report";
 import type { Stretch } from "./history_of_steps";
 
 const kSoon_ms = 300;
@@ -21,7 +21,7 @@ export interface Work {
   readonly element: HTMLElement;
   run(command: readonly string[], job: Job): Promise<Ran>; // throws Interrupted, or what the engine threw
   call(call: object, job: Job): Promise<Ran>; // likewise
-  during<T>(what: string, work: (share: (of_it: number) => void) => Promise<T>): Promise<T>; // of work that cannot be stopped
+  during<T>(what: () => string, work: (share: (of_it: number) => void) => Promise<T>): Promise<T>; // of work that cannot be stopped
   stop(): void;
   busy(): boolean;
   rewrite(): void; // in another language
@@ -50,28 +50,33 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
   const stopping = new Set<AbortController>(); // of what runs and what waits
   let last: Promise<unknown> = Promise.resolve();
   let waiting = 0;
+  let write = (): void => undefined; // what is done, and how far it is
 
   // How far it is, as it tells itself: `to` takes a share, and from two of them on the time to go is known.
-  const show = (what: string, can_stop: boolean): { hide(): void; to(share: number): void } => {
+  const show = (what_now: () => string, can_stop: boolean): { hide(): void; to(share: number): void } => {
     const began = performance.now();
     let first: { share: number; at: number } | null = null; // of this stage
     let now: { share: number; at: number } | null = null;
-    text.textContent = what;
-    bar.removeAttribute("value");
-    bar.setAttribute("aria-label", what);
-    stop.hidden = !can_stop;
-    const soon = setTimeout(() => {
-      shown.hidden = false;
-      say(what);
-    }, kSoon_ms);
-    const clock = setInterval(() => {
+    write = () => {
+      const what = what_now();
       const seconds = Math.round((performance.now() - began) / 1000);
       const left_ms = first && now && now.share > first.share ? ((now.at - first.at) * (1 - now.share)) / (now.share - first.share) - (performance.now() - now.at) : null;
+      bar.setAttribute("aria-label", what);
       text.textContent =
-        left_ms === null || !now
-          ? t.live_since({ what, seconds })
-          : t.live_to_go({ what, seconds, percent: Math.round(100 * now.share), left: duration_spoken(Math.max(0, left_ms)) });
-    }, 1000);
+        seconds < 1
+          ? what
+          : left_ms === null || !now
+            ? t.live_since({ what, seconds })
+            : t.live_to_go({ what, seconds, percent: Math.round(100 * now.share), left: duration_spoken(Math.max(0, left_ms)) });
+    };
+    bar.removeAttribute("value");
+    stop.hidden = !can_stop;
+    write();
+    const soon = setTimeout(() => {
+      shown.hidden = false;
+      say(what_now());
+    }, kSoon_ms);
+    const clock = setInterval(write, 1000);
     return {
       hide() {
         clearTimeout(soon);
@@ -104,7 +109,7 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
     const mine = new AbortController();
     stopping.add(mine);
     return queued(async () => {
-      const { hide, to } = show(what(), true);
+      const { hide, to } = show(what, true);
       const take_line = (line: string): void => {
         const share = share_of(line);
         if (share !== null) to(share);
@@ -141,6 +146,7 @@ export const work_with = (engine: Engine, say: (text: string) => void): Work => 
     rewrite() {
       stop.textContent = t.live_stop;
       stop.title = t.live_stop_title;
+      write();
     },
   };
   return made;
@@ -255,6 +261,11 @@ export const answer_of = <T>(ran: Ran): T => {
   return answer_without_advice(JSON.parse(ran.out) as T);
 };
 
+export interface PlannedFiles {
+  plan: Plan;
+  files: readonly { name: string; bytes: Uint8Array }[]; // that the program wrote
+}
+
 // Keys of a report, to put in the place of its own.
 export type Part = Partial<Report>;
 
@@ -273,6 +284,7 @@ export interface Runs {
   choices(subject: Subject): Promise<readonly EffectChoice[]>;
   compare(subject: Subject, hypotheses: readonly (readonly string[])[]): Promise<HypothesesPart>;
   try(subject: Subject, effects: readonly string[]): Promise<() => Sentence>; // what they would change
+  plan(subject: Subject, hours: number): Promise<PlannedFiles>; // of the next test
   gap(subject: Subject): Promise<SignalGap | null>; // the longest, where a fit is refused for such; null: not for them
   undo(model: string): Promise<void>;
   model_text(subject: Subject): Promise<string>; // its file, beginning with the values that are fitted
@@ -282,7 +294,7 @@ export interface Runs {
 export const runs_with = (engine: Engine, work: Work): Runs => {
   const call = async <T>(name: string, words: string[], job: Job, more: object = {}): Promise<T> =>
     answer_of<T>(await work.call({ call: name, words, ...more }, job));
-  return {
+  const made: Runs = {
     report: (subject) =>
       subject.view === ""
         ? call("report", look_words(subject), { what: () => t.live_reading })
@@ -311,6 +323,12 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
       const { sentence, message } = answer_of<Said>(ran);
       return () => said(sentence, message);
     },
+    async plan(subject, hours) {
+      const folder = made.free_name("plans", "plan");
+      const plan = answer_of<Plan>(await work.run(plan_words(subject, hours, folder), { what: () => t.live_planning }));
+      const paths = engine.list().flatMap(({ path }) => (path.startsWith(`${folder}/`) ? [path] : []));
+      return { plan, files: await Promise.all(paths.map(async (path) => ({ name: last_part(path), bytes: await engine.get(path) }))) };
+    },
     gap: async ({ data, log }) => (await call<{ gap: SignalGap | null }>("gaps", [...data, ...log], { what: () => t.live_reading })).gap,
     model_text: async (subject) => (await call<{ text: string }>("text", model_words(subject), { what: () => t.live_reading })).text,
     async undo(model) {
@@ -325,6 +343,7 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
       return free;
     },
   };
+  return made;
 };
 
 // Why something was not done, in words for a reader.

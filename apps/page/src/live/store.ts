@@ -4,13 +4,13 @@ import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import { next_action_of } from "../diagnosis/next_action";
 import { verdict_of } from "../diagnosis/verdict";
 import { verdict_of as verdict_of_check } from "../model/model";
-import type { Candidate, Checked, Diagnosed, Report } from "../report";
+import type { Candidate, Checked, Diagnosed, HypothesesPart, Report } from "../report";
 import { plain_name } from "../machine_errors/error_names";
 import { type Sentence, t } from "../texts/texts";
 import type { Posterior } from "./candidates";
 import type { Catalogue } from "./catalogue";
 import { steps_kept, type Values } from "./history_of_steps";
-import { type EffectChoice, set_key, type Subject } from "./runs";
+import { type EffectChoice, type PlannedFiles, set_key, type Subject } from "./runs";
 import { free_parameters, gains_of, key_of, settings_of, slid } from "./slid";
 
 export const of_target = <T extends { target: string }>(targets: readonly T[] | undefined, target: string): T | undefined =>
@@ -97,6 +97,14 @@ export const store_of = (first: Subject, catalogue: Catalogue) => {
     refusal: while_of<Diagnosed | null, Refusal | null>(found, null),
     gap_s: signal(0), // the longest, where it is too long to be interpolated; 0: it is not asked for
     took_ms: signal(0), // the last search
+    // The plan of the next test, or why there is none.
+    plan: while_of<Diagnosed | null, PlannedFiles | (() => string) | null>(found, null),
+    plan_hours: signal(12),
+    planning: signal(false),
+    // Two hypotheses: those that are asked for beside the candidates, the two that are chosen, and both as fitted.
+    set_beside: while_of<Checked | null, { labels: readonly string[]; chosen: readonly string[] }>(fitted, { labels: [], chosen: [] }),
+    both: while_of<Checked | null, HypothesesPart | null>(fitted, null),
+    comparing: signal(false),
     busy: signal(0), // attempts at work, of which one may have begun within another
     trying: signal(false),
     can_undo: computed(() => steps.count() > 0 || revisions.value >= 2),

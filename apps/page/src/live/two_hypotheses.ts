@@ -5,66 +5,47 @@ import { type Figure, figure_of } from "../figure/figure";
 import { model_fit_picture } from "../model/model_fit_picture";
 import { strands_of } from "../drawing/strands";
 import type { PageState } from "../figure/view";
-import type { Candidate, HypothesesPart, Report } from "../report";
+import type { HypothesesPart, Report } from "../report";
 import { plain_name } from "../machine_errors/error_names";
 import { can_be_typed } from "./runs";
+import type { Store } from "./store";
 import { shown } from "../drawing/theme";
 import { named, t } from "../texts/texts";
 
 const kOffered = 12; // candidates
 
 export interface TwoHypothesesOf {
+  store: Store;
   page: PageState;
   add_figure(figure: Figure): void; // of the page, as its others
-  report(): Report | null;
-  compare(hypotheses: readonly (readonly string[])[]): Promise<HypothesesPart | null>; // null: it could not, which is said
-  keep(label: string): void; // "": the model stays
+  compare(labels: readonly string[]): void; // "": the model as it is
+  keep(label: string): void;
 }
 
 export interface TwoHypotheses {
   element: HTMLElement;
-  offer(candidates: readonly Candidate[]): void; // of the model as it is
-  forget(): void; // what was compared is of another model
+  offer(): void; // what can be chosen
+  show(): void; // what was compared
   beside(label: string): void; // as the other one
   figures(): readonly Figure[];
 }
 
-export const two_hypotheses = ({ page, add_figure, report, compare, keep }: TwoHypothesesOf): TwoHypotheses => {
-  const [one, other] = [t.hands_first, t.hands_second].map((name) => element("select", { "aria-label": name })) as [HTMLSelectElement, HTMLSelectElement];
+export const two_hypotheses = ({ store, page, add_figure, compare, keep }: TwoHypothesesOf): TwoHypotheses => {
+  const selects = [t.hands_first, t.hands_second].map((name) => element("select", { "aria-label": name }));
+  const chosen_now = (): string[] => selects.map(({ value }) => value);
   const answer = element("div", { class: "both", "aria-live": "polite" });
-  const start = button(t.hands_compare, "", () => void ask());
+  const start = button(t.hands_compare, "", () => compare(chosen_now()));
   const box = details_of(
     "live-two",
     t.hands_two,
     element("p", { class: "about" }, t.hands_two_about),
-    element("div", { class: "buttons" }, one, other, start),
+    element("div", { class: "buttons" }, ...selects, start),
     answer,
   );
   let made: readonly Figure[] = [];
-  let asked: readonly string[] = []; // that are no candidates
 
   const label_shown = (label: string): string => (label === "" ? t.hands_as_it_is : t.hands_with({ effect: plain_name(label, 60) }));
-  const forget = (): void => {
-    for (const figure of made) figure.leave();
-    made = [];
-    answer.replaceChildren();
-  };
-  const forget_all = (): void => {
-    asked = [];
-    forget();
-  };
-  const check = (): void => {
-    start.disabled = one.value === other.value;
-    start.title = start.disabled ? t.hands_differ : "";
-  };
-  const offer = (select: HTMLSelectElement, label: string): void => {
-    if ([...select.options].every(({ value }) => value !== label)) select.add(new Option(label_shown(label), label));
-  };
-  for (const select of [one, other]) {
-    offer(select, "");
-    select.addEventListener("change", check);
-  }
-  check();
+  for (const select of selects) select.addEventListener("change", () => store.set_beside.set({ ...store.set_beside.now.peek(), chosen: chosen_now() }));
 
   const figures_of = ({ hypotheses, p }: HypothesesPart): HTMLElement => {
     const rows = hypotheses.map(({ row }) => row);
@@ -84,55 +65,52 @@ export const two_hypotheses = ({ page, add_figure, report, compare, keep }: TwoH
     });
   };
 
-  const ask = async (): Promise<void> => {
-    forget();
-    start.disabled = true;
-    const found = await compare([one.value, other.value].map((label) => (label === "" ? [] : [label])));
-    check();
-    const of_report = report();
-    if (!found || !of_report) return;
-    const sides = found.hypotheses.map(({ effects, check: { targets } }, k) => {
-      const label = effects[0] ?? "";
-      const checked = targets[0];
-      const parts: HTMLElement[] = [element("h4", {}, element("bdi", {}, label_shown(label)))];
-      if (checked) {
-        const figure = figure_of({ ...model_fit_picture(of_report, checked, strands_of(checked), `hypothesis-${k + 1}`), height_px: 340 }, page);
-        made = [...made, figure];
-        parts.push(figure.element);
-      }
-      const take = button(label === "" ? t.hands_as_it_is : t.hands_keep, "", () => keep(label));
-      take.setAttribute("aria-label", `${t.hands_keep}: ${label_shown(label)}`);
-      parts.push(element("div", { class: "buttons" }, take));
-      return element("div", { class: "side" }, ...parts);
-    });
-    answer.replaceChildren(figures_of(found), element("div", { class: "sides" }, ...sides));
-    for (const figure of made) {
-      add_figure(figure);
-      figure.redraw();
+  const side_of = (report: Report, { effects, check: { targets } }: HypothesesPart["hypotheses"][number], k: number): HTMLElement => {
+    const label = effects[0] ?? "";
+    const checked = targets[0];
+    const parts: HTMLElement[] = [element("h4", {}, element("bdi", {}, label_shown(label)))];
+    if (checked) {
+      const figure = figure_of({ ...model_fit_picture(report, checked, strands_of(checked), `hypothesis-${k + 1}`), height_px: 340 }, page);
+      made = [...made, figure];
+      parts.push(figure.element);
     }
+    const take = button(label === "" ? t.hands_as_it_is : t.hands_keep, "", () => keep(label));
+    take.setAttribute("aria-label", `${t.hands_keep}: ${label_shown(label)}`);
+    return element("div", { class: "side" }, ...parts, element("div", { class: "buttons" }, take));
   };
 
   return {
     element: box,
-    forget: forget_all,
-    offer(candidates) {
-      const kept = [one.value, other.value];
-      const labels = ["", ...new Set([...candidates.filter(({ columns }) => can_be_typed(Object.values(columns))).slice(0, kOffered).map(({ label }) => label), ...asked])];
-      for (const [k, select] of [one, other].entries()) {
-        select.replaceChildren();
-        for (const label of labels) offer(select, label);
-        const before = kept[k] ?? "";
-        select.value = answer.hasChildNodes() || (before !== "" && labels.includes(before)) ? before : (labels[labels.length > 2 ? k + 1 : k] ?? "");
+    offer() {
+      const candidates = store.found.value?.candidates ?? [];
+      const { labels, chosen } = store.set_beside.now.value;
+      const likely = candidates.filter(({ columns }) => can_be_typed(Object.values(columns))).slice(0, kOffered).map(({ label }) => label);
+      const offered = [...new Set(["", ...likely, ...labels, ...chosen])];
+      for (const [k, select] of selects.entries()) {
+        select.replaceChildren(...offered.map((label) => new Option(label_shown(label), label)));
+        select.value = chosen[k] ?? offered[offered.length > 2 ? k + 1 : k] ?? "";
       }
-      check();
+      const [one, other] = chosen_now();
+      start.disabled = one === other || store.comparing.value;
+      start.title = one === other ? t.hands_differ : "";
+    },
+    show() {
+      const both = store.both.now.value;
+      const report = store.report.peek();
+      for (const figure of made) figure.leave();
+      made = [];
+      if (!both || !report) return answer.replaceChildren();
+      const sides = both.hypotheses.map((one, k) => side_of(report, one, k));
+      answer.replaceChildren(figures_of(both), element("div", { class: "sides" }, ...sides));
+      for (const figure of made) {
+        add_figure(figure);
+        figure.redraw();
+      }
     },
     beside(label) {
-      asked = [...asked, label];
-      offer(one, label);
-      offer(other, label);
-      if (one.value === label) one.value = "";
-      other.value = label;
-      check();
+      const { labels } = store.set_beside.now.peek();
+      const [first = ""] = chosen_now();
+      store.set_beside.set({ labels: [...labels, label], chosen: [first === label ? "" : first, label] });
       box.open = true;
       box.scrollIntoView({ block: "nearest" });
       start.focus({ preventScroll: true });
