@@ -137,3 +137,20 @@ test("a plan and a comparison that run when the language changes come in the new
   assert.deepEqual(wrong, []);
   await close();
 });
+
+test("names with numbers in them keep their points on a German page", async () => {
+  const names = ["T7.31_degC", "Lager 7.31 hinten_degC"];
+  const { page, wrong, close } = await live({ locale: "de-DE" });
+  await drop(page, { "run_8.27.csv": two_bearings(["time_s", ...names, "z 7.31_um"]), "Lauf 8.27 b.csv": two_bearings(["time_s", ...names, "z 7.31_um"]) });
+  await searched(page);
+  await page.evaluate(() => {
+    for (const fold of document.querySelectorAll("details")) fold.open = true;
+  });
+  await at_rest(page);
+  const seen = await page.evaluate(() => [document.body.innerText, ...[...document.querySelectorAll("[title]")].map(({ title }) => title)].join("\n"));
+  for (const name of ["T7.31", "Lager 7.31", "z 7.31", "run_8.27.csv", "Lauf 8.27 b.csv"]) assert.ok(seen.includes(name), name);
+  assert.deepEqual(seen.split("\n").filter((line) => /(?<!\d)(7,31|8,27)/.test(line)), []);
+  assert.match(seen, /RMSE \d,\d+ µm/);
+  assert.deepEqual(wrong, []);
+  await close();
+});

@@ -120,7 +120,8 @@ export const intake_of = (engine: Engine, work: Work, store: Store | null): Inta
       }));
       const taken = await take_in(files);
       const put_as = new Map(read.files.map(({ path }, k) => [path, paths[k] ?? ""]));
-      // A word may be a file, or lie in an archive, or be a folder of these files. Without one of them nothing can be gone on with.
+      // A word may be a file, lie in an archive, or be a folder of these files. Without one of them nothing can be gone on
+      // with.
       const word = (path: string): string | null => {
         const inside = path === "." ? "" : `${path.replace(/\/$/, "")}/`;
         const archive = read.files.find((one) => is_within(path, one.path));

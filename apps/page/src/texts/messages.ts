@@ -18,11 +18,11 @@ export interface Words {
 const catalogues: Readonly<Record<string, Readonly<Record<string, string>>>> = { de, zh };
 
 // A text with the values of its places: "{place}", of which the last knows that it ends the text; "{n:one|several}".
-export const filled = <Value>(text: string, value_of: (place: string) => Value, part: (value: Value, ends: boolean) => string): string =>
+export const filled = <Value>(text: string, value_of: (place: string) => Value, part: (value: Value, ends: boolean, place: string) => string): string =>
   text.replace(/\{(\w+)(?::([^|}]*)\|([^}]*))?\}/g, (all: string, place: string, one: string | undefined, several: string | undefined, at: number) => {
     const value = value_of(place);
     if (one !== undefined) return (String(value) === "1" ? one : several) ?? "";
-    return part(value, at + all.length === text.length);
+    return part(value, at + all.length === text.length, place);
   });
 
 // "lagged_expansion(T_room_degC)", "backlash_a"
@@ -32,9 +32,12 @@ const effect_text = (label: string, { effects }: Words): string => {
   return Object.hasOwn(effects, stem) ? [effects[stem] ?? stem, axis, columns].filter((part) => part !== "").join(" ") : label;
 };
 
-const value_text = (value: MessageValue, words: Words): string | null => {
-  if (typeof value === "string") return words.numbers(value);
-  return "effect" in value ? effect_text(value.effect, words) : messages_text(value, words);
+// Places of what files and people have named, "Probe 2.5": not even a number that stands alone in it is one to be read.
+const names = new Set("a b column columns file first inputs model name next one other second series setting settings source state target text why".split(" "));
+
+const value_text = (value: MessageValue, words: Words, place: string): string | null => {
+  if (typeof value === "string") return names.has(place) ? value : words.numbers(value);
+  return "effect" in value ? effect_text(value.effect, words) : messages_text(value, words, place);
 };
 
 // Parts of a list, each joined to those before it.
@@ -44,9 +47,9 @@ const lists: Readonly<Record<string, { next: string; last: string }>> = {
   semicolon_list: { next: "list_semicolon", last: "list_semicolon" },
 };
 
-const list_text = ({ next, last }: { next: string; last: string }, parts: readonly MessageValue[], words: Words): string | null => {
+const list_text = ({ next, last }: { next: string; last: string }, parts: readonly MessageValue[], words: Words, place: string): string | null => {
   const join = (before: string | null, part: MessageValue, k: number): string | null => {
-    const text = value_text(part, words);
+    const text = value_text(part, words, place);
     if (before === null || text === null || k === 0) return text;
     const joined = catalogues[words.language]?.[k + 1 === parts.length ? last : next] ?? "";
     return filled(joined, (place) => (place === "first" ? before : text), String);
@@ -54,14 +57,15 @@ const list_text = ({ next, last }: { next: string; last: string }, parts: readon
   return parts.reduce<string | null>(join, "");
 };
 
-const message_text = ({ name, values }: Message, words: Words): string | null => {
+// of: the place in which it stands; a list of names is of names.
+const message_text = ({ name, values }: Message, words: Words, of: string): string | null => {
   const list = lists[name];
-  if (list) return list_text(list, Object.values(values), words);
+  if (list) return list_text(list, Object.values(values), words, of);
   const text = name === "" ? "{text}" : catalogues[words.language]?.[name];
   if (text === undefined) return null;
   let known = true;
-  const said = filled<MessageValue>(text, (place) => values[place] ?? "", (value, ends) => {
-    const part = value_text(value, words);
+  const said = filled<MessageValue>(text, (place) => values[place] ?? "", (value, ends, place) => {
+    const part = value_text(value, words, place);
     known = known && part !== null;
     return Array.isArray(value) && !ends ? (part ?? "").replace(/[.。]$/, "") : (part ?? ""); // a sentence within another one
   });
@@ -79,9 +83,9 @@ const begins_with_effect = ({ name, values }: Message, language: string): boolea
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 // null: the language has not all of them, as of an effect that a user has made.
-export const messages_text = (messages: readonly Message[], words: Words): string | null => {
+export const messages_text = (messages: readonly Message[], words: Words, of = ""): string | null => {
   const said = messages.map((message) => {
-    const text = message_text(message, words);
+    const text = message_text(message, words, of);
     return text?.endsWith(".") && begins_with_effect(message, words.language) ? capital(text) : text;
   });
   return said.includes(null) ? null : said.filter((one) => one !== "").join(words.language === "zh" ? "" : " ");

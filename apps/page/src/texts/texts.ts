@@ -67,9 +67,7 @@ export type Sentence = string | Quoted;
 // What no catalogue has, such as the error of a reader.
 export const english = (text: string): Sentence => ({ before: "", english: text });
 
-// Numbers that stand alone: a name may hold digits and dots too.
-const numbers = (part: string): string =>
-  part.replace(/(?<![\w.])\d+\.\d+(?:e[-+]?\d+)?(?![\w.])/g, with_decimal_sign).replace(/(?<=\d )degC\b/g, "°C");
+const numbers = (part: string): string => with_decimal_sign(part).replace(/(?<=\d )degC\b/g, "°C");
 
 const in_the_language = (messages: readonly Message[] | undefined): string | null =>
   messages === undefined
@@ -97,6 +95,7 @@ export const sentence_text = (sentence: Sentence): string =>
 export const named = (glossary: Readonly<Record<string, string>>, name: string): string =>
   Object.hasOwn(glossary, name) ? (glossary[name] ?? name) : name;
 
-// Numbers within a text, "12.01 ± 0.04", with the decimal sign of the language.
+// Numbers within a text, "12.01 ± 0.04", with the decimal sign of the language. Those alone that stand by themselves: a
+// name may hold digits and dots too, "T1.5_degC", "run_2.5.csv".
 export const with_decimal_sign = (text: string): string =>
-  t.decimal_sign === "." ? text : text.replace(/(?<=\d)\.(?=\d)/g, t.decimal_sign);
+  t.decimal_sign === "." ? text : text.replace(/(?<![\w.])(\d+)\.(?=\d+(?:e[-+]?\d+)?(?![\w.]))/g, `$1${t.decimal_sign}`);
