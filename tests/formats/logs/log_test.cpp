@@ -204,11 +204,13 @@ TEST(log, rows_that_repeat_rows_above_are_left_out) {
 }
 
 TEST(log, cells_with_units) {
-  const Log comma = read_log("Zeit_s,T\n0,\"21,72 °C\"\n1,\"21,80 °C\"\n", "log.csv");
-  EXPECT_EQ(comma.series.columns.front().values, (std::vector<double>{21.72, 21.8}));
-  const Log speed = read_log("Time_s;Speed\n0;9000 1/min\n1;9500 1/min\n", "log.csv");
-  EXPECT_EQ(speed.series.columns.front().values, (std::vector<double>{9000, 9500}));
-  EXPECT_EQ(speed.series.columns.front().role, Role::speed);
+  const Log comma = read_log("Zeit_s;a;b;T\n0;1;2;21,72 °C\n1;1;2;21,80 °C\n2;1;3;21,90 °C\n", "log.csv");
+  ASSERT_EQ(comma.series.columns.size(), 3U);
+  EXPECT_EQ(comma.series.columns.back().values, (std::vector<double>{21.72, 21.8, 21.9}));
+  const Log speed = read_log("Time_s;a;b;Speed\n0;1;2;9000 1/min\n1;1;2;9500 1/min\n2;1;3;9500 1/min\n", "log.csv");
+  ASSERT_EQ(speed.series.columns.size(), 3U);
+  EXPECT_EQ(speed.series.columns.back().values, (std::vector<double>{9000, 9500, 9500}));
+  EXPECT_EQ(speed.series.columns.back().role, Role::speed);
   // A quote behind a number is no beginning of a cell in quotes.
   const Log inches = read_log(
       "Time_s,T1_degC,T2_degC,T3_degC,Z\n0,20,20,20,0.000100\"\n1,21,20,20,0.000200\"\n2,22,20,20,0.000300\"\n",
