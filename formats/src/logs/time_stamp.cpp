@@ -364,6 +364,12 @@ std::optional<TimeStamp> elapsed_time(std::string_view text) {
   return stamp;
 }
 
+// 211122-130510, whose front may be a clock as well.
+bool is_packed_pair(std::string_view text) {
+  return text.size() == 13 && !is_digit(text[6]) &&
+         std::count_if(text.begin(), text.end(), [](char c) { return is_digit(c); }) == 12;
+}
+
 }  // namespace
 
 std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order) {
@@ -375,7 +381,7 @@ std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order) {
   if (const auto elapsed = elapsed_time(cursor.rest())) return elapsed;
   // A clock in front of the date, or alone.
   Cursor clock = cursor;
-  if (take_clock(clock, stamp)) {
+  if (!is_packed_pair(cursor.rest()) && take_clock(clock, stamp)) {
     if (!take_zone(clock, stamp)) return std::nullopt;
     clock.take_any(",;");
     clock.skip_blanks();

@@ -182,6 +182,7 @@ TEST(log, dates_may_lack_the_year) {
 
 TEST(log, packed_times_without_a_date_or_with_a_short_one) {
   EXPECT_EQ(times("Time,a\n261122-235959,1\n261123-000001,2\n"), "0 2 ");
+  EXPECT_EQ(times("Time,a\n211122-235959,1\n211123-000001,2\n"), "0 2 ");
   EXPECT_EQ(times("Time,a\n075959,1\n080001,2\n"), "0 2 ");
 }
 

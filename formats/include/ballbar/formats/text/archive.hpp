@@ -13,8 +13,8 @@ namespace ballbar {
 // Whether the path is a regular file with the content of a zip and a `.b5r` inside, or a damaged file called .zip.
 bool is_archive(const std::filesystem::path& path);
 
-// Paths of the `.b5r` files inside, sorted, without hidden ones. Throws Error: damaged, more than 10 000 entries or 1 GiB unpacked, a name
-// that is absolute or has "..".
+// Paths of the `.b5r` files inside, sorted, without hidden ones. Throws Error: damaged, more than 10 000 entries or 1
+// GiB unpacked, a name that is absolute or has "..".
 std::vector<std::filesystem::path> files_in_archive(const std::filesystem::path& path);
 
 // The bytes of a path into an archive; nullopt if no part of the path is an archive. Throws Error: no such file inside,
