@@ -18,6 +18,15 @@ namespace {
 
 constexpr std::size_t kMostWords = 1000;
 
+bool has_four_digits(std::string_view cell) {
+  std::size_t digits = 0;
+  for (const char c : cell) {
+    digits = is_digit(c) ? digits + 1 : 0;
+    if (digits == 4) return true;
+  }
+  return false;
+}
+
 void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
   if (switch_value(cell)) {
     ++sample.switches;
@@ -60,6 +69,10 @@ void look_at(std::string_view cell, char decimal, ColumnSample& sample) {
   sample.either = sample.either || stamp->either_order;
   sample.minutes_and_seconds += stamp->minutes_and_seconds;
   sample.two_fields += stamp->two_fields;
+  sample.two_fields_return = sample.two_fields_return || (stamp->two_fields && sample.has_three_fields);
+  sample.has_three_fields = sample.has_three_fields || (stamp->clock_s && !stamp->day && !stamp->two_fields);
+  sample.sure_dates += stamp->day && (cell.find('.') != std::string_view::npos || has_four_digits(cell));
+  sample.lacks_year += stamp->lacks_year;
   sample.midnights += stamp->day && stamp->clock_s == 0.0;
   const double seconds = 86400.0 * static_cast<double>(stamp->day.value_or(0)) + stamp->clock_s.value_or(0.0);
   if (!sample.first_s) sample.first_s = seconds;

@@ -19,6 +19,8 @@ struct ColumnSample {
   bool rises = true, ever_rises = false;  // numbers
   bool day_first = false, month_first = false, either = false;
   std::size_t packed_dates = 0, packed_clocks = 0, two_fields = 0;  // 20261122, 130510, 05:10
+  bool has_three_fields = false, two_fields_return = false;         // 1:05:10; 5:10 below it
+  std::size_t sure_dates = 0, lacks_year = 0;                       // with dots or a year of four digits; of stamps
   std::size_t dotted_clocks = 0;                                    // 07.05.00, of the clocks; or dates
   bool dotted_clocks_fall = false;
   double last_clock_s = 0.0;

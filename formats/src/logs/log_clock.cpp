@@ -49,6 +49,8 @@ class Clock {
     const double turn_s = plan_.time.minutes_and_seconds ? kHour_s : kDay_s;
     double added_s = 0.0;
     std::size_t turns = 0, half_turns = 0;
+    const bool is_of_12_hours =
+        std::all_of(time_s.begin(), time_s.end(), [](double written_s) { return written_s < 13.0 * kHour_s; });
     for (std::size_t i = 1; i < time_s.size(); ++i) {
       const double before_s = time_s[i - 1] - added_s;  // as written
       const double change_s = time_s[i] - before_s;
@@ -67,7 +69,7 @@ class Clock {
           remarks_.push_back(
               fmt::format("The clock goes back an hour at line {}, the end of summer time: the time continues.",
                           table_.line_of(i)));
-        } else if (!dated && std::abs(change_s + 0.5 * kDay_s - step_s) <= slack_s && !plan_.time.minutes_and_seconds) {
+        } else if (!dated && is_of_12_hours && std::abs(change_s + 0.5 * kDay_s - step_s) <= slack_s) {
           added_s += 0.5 * kDay_s;
           if (half_turns++ == 0)
             remarks_.push_back(fmt::format(
@@ -175,9 +177,9 @@ class Clock {
 };
 
 // Rows that repeat rows above, as of a log that was saved twice or that goes on from a copy, are left out.
-void leave_out_repeated_rows(LogTable& table, const std::vector<double>& time_s, std::vector<std::string>& remarks) {
+bool leave_out_repeated_rows(LogTable& table, const std::vector<double>& time_s, std::vector<std::string>& remarks) {
   const auto falls = std::adjacent_find(time_s.begin(), time_s.end(), std::greater<>());
-  if (falls == time_s.end() || table.newest_first) return;
+  if (falls == time_s.end() || table.newest_first) return false;
   const auto begin = static_cast<std::size_t>(falls - time_s.begin()) + 1;
   const auto first = static_cast<std::size_t>(
       std::lower_bound(time_s.begin(), time_s.begin() + static_cast<std::ptrdiff_t>(begin), time_s[begin]) -
@@ -191,13 +193,14 @@ void leave_out_repeated_rows(LogTable& table, const std::vector<double>& time_s,
     return true;
   };
   const bool is_repeated =
-      end - begin > 1 && (end == time_s.size() || time_s[end] > time_s[begin - 1]) && same(time_s) &&
+      end - begin > 1 && (end == time_s.size() || end - begin == count) && same(time_s) &&
       std::all_of(table.values.begin(), table.values.end(),
                   [&](const std::vector<double>& values) { return values.size() != time_s.size() || same(values); });
-  if (!is_repeated) return;
+  if (!is_repeated) return false;
   remarks.push_back(
       fmt::format("The {} rows from line {} on repeat rows above: left out.", end - begin, table.line_of(begin)));
   erase_rows(begin, end, table);
+  return true;
 }
 
 // Whether every row is of an earlier time than the row before: the log has its newest row first.
@@ -222,8 +225,9 @@ std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::str
     put_oldest_first(table);
     remarks.push_back("The newest row comes first in the file: the rows are read from the last one on.");
   }
-  leave_out_repeated_rows(table, time.kind == TimePlan::Kind::number ? table.values[time.column] : table.time_s,
-                          remarks);
+  while (leave_out_repeated_rows(table, time.kind == TimePlan::Kind::number ? table.values[time.column] : table.time_s,
+                                 remarks))
+    continue;
   Clock clock(table, plan, name, remarks);
   if (time.kind == TimePlan::Kind::number) {
     time_s = std::move(table.values[time.column]);

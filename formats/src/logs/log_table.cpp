@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -25,7 +26,7 @@ namespace {
 
 constexpr std::size_t kFreeRows = 2;           // that are no rows of numbers, of any file; beside one in a hundred
 constexpr std::int64_t kLongestPause_d = 365;  // after more days a clock that was not set is set
-constexpr std::int64_t kYearsOfNoPause_d = 3 * 365;  // whatever day it started at
+constexpr std::int64_t kYearsOfNoPause_d = 3 * 365;  // whatever year it started with
 
 // A date may be read in two ways: how its days run in either, from row to row.
 struct OrderEvidence {
@@ -68,6 +69,13 @@ bool is_day_of_unset_clock(std::int64_t day) {
   constexpr std::int64_t kFirstDays[] = {0, 3652, 3657, 10957};
   return std::any_of(std::begin(kFirstDays), std::end(kFirstDays),
                      [&](std::int64_t first) { return day == first || day == first + 1; });
+}
+
+// The first day of a year, or a day beside it, from which clocks of any make start.
+bool is_new_year(std::int64_t day) {
+  const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(day))};
+  const unsigned month = static_cast<unsigned>(date.month()), of_month = static_cast<unsigned>(date.day());
+  return (month == 1 && of_month <= 2) || (month == 12 && of_month == 31);
 }
 
 bool has_values(ColumnKind kind) { return kind == ColumnKind::number || kind == ColumnKind::words; }
@@ -286,7 +294,8 @@ class Table {
     double time_s = kGap;
     const TimePlan& plan = plan_.time;
     bool timed = plan.kind == TimePlan::Kind::rows;
-    const StampState before{table_.first_day, table_.has_clock, table_.elapsed, table_.zoned, zone_s_};
+    const StampState before{table_.first_day, table_.has_clock,  table_.elapsed,
+                            table_.zoned,     table_.lacks_year, zone_s_};
     if (plan.kind == TimePlan::Kind::stamps) timed = take_stamp(line, time_s);
     if (plan.kind == TimePlan::Kind::number) timed = column > plan.column && std::isfinite(row_[plan.column]);
     // Few numbers and no time: a line of text, a header once more, a note at the end.
@@ -385,7 +394,7 @@ class Table {
   // What the stamps before a row say of all.
   struct StampState {
     std::optional<std::int64_t> first_day;
-    bool has_clock, elapsed, zoned;
+    bool has_clock, elapsed, zoned, lacks_year;
     double zone_s;
   };
 
@@ -394,6 +403,7 @@ class Table {
     table_.has_clock = before.has_clock;
     table_.elapsed = before.elapsed;
     table_.zoned = before.zoned;
+    table_.lacks_year = before.lacks_year;
     zone_s_ = before.zone_s;
   }
 
@@ -429,13 +439,19 @@ class Table {
 
   bool take_stamp(std::size_t line, double& time_s) {
     const DateOrder order = plan_.time.order.value_or(DateOrder::day_first);
-    if (!half_day_.empty()) {
+    auto with_colons = plan_.time.dotted_clock ? clock_of_dots(clock_.empty() ? date_ : clock_, true) : std::nullopt;
+    if (is_half_day(half_day_)) {
       std::string_view& clock = clock_.empty() ? date_ : clock_;
-      in_half_day_ = fmt::format("{} {}", clock, half_day_);
-      clock = in_half_day_;
+      const std::string_view plain = with_colons ? std::string_view(*with_colons) : clock;
+      const auto alone = time_stamp(plain, order);
+      if (alone && alone->clock_s && *alone->clock_s < 13.0 * 3600.0) {  // else it is one of 24 hours
+        in_half_day_ = fmt::format("{} {}", plain, half_day_);
+        if (with_colons)
+          with_colons = in_half_day_;
+        else
+          clock = in_half_day_;
+      }
     }
-    const auto with_colons =
-        plan_.time.dotted_clock ? clock_of_dots(clock_.empty() ? date_ : clock_, true) : std::nullopt;
     auto stamp = stamp_of_row(order, with_colons);
     if (!stamp || std::isnan(parts_s_)) return false;
     if (has_hours_ && !stamp->clock_s) stamp->clock_s = 0.0;
@@ -468,9 +484,11 @@ class Table {
         throw Error(fmt::format("{}:{}: expected dates with the {} first as in the rows before, found {}.", name_, line,
                                 order == DateOrder::day_first ? "day" : "month", in_quotes(date_)));
       }
-      clock_is_set_ =
-          last_day_ && table_.first_day &&
-          *stamp->day > *last_day_ + (is_day_of_unset_clock(*table_.first_day) ? kLongestPause_d : kYearsOfNoPause_d);
+      if (last_day_ && table_.first_day) {
+        const std::int64_t pause_d = *stamp->day - *last_day_;
+        clock_is_set_ = (pause_d > kLongestPause_d && is_day_of_unset_clock(*table_.first_day)) ||
+                        (pause_d > kYearsOfNoPause_d && is_new_year(*table_.first_day));
+      }
       day_ = stamp->day;
       if (clock_is_set_) table_.first_day.reset();
       if (!table_.first_day) {

@@ -40,13 +40,16 @@ class TimeFinder {
         first([&](const ColumnSample& s) { return s.mostly(s.stamps) && s.numbers == 0 && !is_date(s); });
     auto dates = first([&](const ColumnSample& s) { return s.numbers == 0 && is_date(s); });
     // "13-4-26" beside a clock may be the number of a part.
-    if (dates && clocks && plan_.columns[*dates].headed && !names_a_date(plan_.columns[*dates].name)) dates.reset();
+    if (dates && clocks && plan_.columns[*dates].headed && samples_[*dates].sure_dates < samples_[*dates].dates &&
+        !names_a_date(plan_.columns[*dates].name))
+      dates.reset();
     const auto number = number_of_time();
     // A stamp to whole seconds beside a finer number: the number tells the rows apart.
     if (number && (stamps || clocks) && !is_absolute(*number)) {
       const bool finer = !all_whole(samples_[*number]);
       if (finer && tells_the_same(*number, stamps ? *stamps : *clocks)) return of_number(*number);
     }
+    if (stamps && number && samples_[*stamps].lacks_year > 0) return of_number(*number);
     if (stamps) return of_stamp(*stamps);
     if (dates && clocks) return of_date_and_clock(*dates, *clocks);
     if (dates && fractions) return of_date_and_fraction(*dates, *fractions);
@@ -378,7 +381,8 @@ class TimeFinder {
     // "5:00" is five minutes where the unit is the minute, and where "1:05:00" stands below it.
     const bool has_minutes = time_unit_s(plan_.columns[i].unit) == 60.0 ||
                              (!recipe_.time_unit.empty() && time_unit_s(recipe_.time_unit) == 60.0);
-    const bool has_both = samples_[i].two_fields < samples_[i].clocks && samples_[i].minutes_and_seconds == 0;
+    const bool has_both =
+        samples_[i].has_three_fields && !samples_[i].two_fields_return && samples_[i].minutes_and_seconds == 0;
     time.two_fields_are_minutes = samples_[i].two_fields > 0 && samples_[i].stamps == 0 &&
                                   (states_minutes_and_seconds(header) || has_minutes || has_both);
     time.two_fields_are_hours = samples_[i].two_fields > 0 && samples_[i].stamps == 0 && !time.two_fields_are_minutes;
@@ -446,9 +450,8 @@ class TimeFinder {
     for (const std::size_t i : {clock + 1, clock - 1}) {
       if (i >= samples_.size()) continue;
       const ColumnSample& sample = samples_[i];
-      const auto is_half = [](std::string_view word) { return is_one_of("am|pm|a.m.|p.m.|a. m.|p. m.", small(word)); };
       if (sample.texts == 0 || sample.texts != sample.written() ||
-          !std::all_of(sample.words.begin(), sample.words.end(), is_half))
+          !std::all_of(sample.words.begin(), sample.words.end(), is_half_day))
         continue;
       plan_.columns[i].kind = ColumnKind::half_day;
       plan_.time.text += fmt::format(" and {}", in_quotes(plan_.columns[i].source));

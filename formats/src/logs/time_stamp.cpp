@@ -18,7 +18,7 @@
 namespace ballbar {
 namespace {
 
-constexpr std::int64_t kYearOfNone = 2000;
+constexpr std::int64_t kYearOfNone = 2001;  // as most, without 29 February
 
 // Months by their first letters, folded: English, German, French, Italian, Spanish.
 constexpr std::pair<std::string_view, unsigned> kMonths[] = {
@@ -171,7 +171,7 @@ bool take_month_before_day(Cursor& cursor, unsigned month, TimeStamp& stamp, boo
   Cursor ahead = cursor;
   const auto year = ahead.number(4, 4);
   year_is_last = !year;
-  if (year_is_last) return set_day(stamp, kYearOfNone, month, day);
+  if (year_is_last) return set_day(stamp, 2000, month, day);  // it may have a 29 February
   cursor = ahead;
   return set_day(stamp, *year, month, day);
 }
@@ -366,7 +366,7 @@ std::optional<TimeStamp> elapsed_time(std::string_view text) {
 
 // 211122-130510, whose front may be a clock as well.
 bool is_packed_pair(std::string_view text) {
-  return text.size() == 13 && !is_digit(text[6]) &&
+  return text.size() == 13 && std::string_view("-_T ").find(text[6]) != std::string_view::npos &&
          std::count_if(text.begin(), text.end(), [](char c) { return is_digit(c); }) == 12;
 }
 
@@ -410,7 +410,7 @@ std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order) {
     cursor.skip_blanks();
     const auto year = cursor.number(4, 4);
     stamp.lacks_year = !year && stamp.clock_s && cursor.at_end();
-    if (!stamp.lacks_year && (!year || !set_day(stamp, *year, *month, day))) return std::nullopt;
+    if ((!year && !stamp.lacks_year) || !set_day(stamp, year.value_or(kYearOfNone), *month, day)) return std::nullopt;
   }
   if (!take_zone(cursor, stamp)) return std::nullopt;
   cursor.skip_blanks();
@@ -424,6 +424,8 @@ std::string stamp_text(double seconds) {
   if (milli != 0) text += fmt::format(".{:03}", milli);
   return text;
 }
+
+bool is_half_day(std::string_view word) { return is_one_of("am|pm|a.m.|p.m.|a. m.|p. m.", small(word)); }
 
 std::optional<std::string> clock_of_dots(std::string_view text, bool may_lack_seconds) {
   if (text.ends_with("Uhr")) text = text.substr(0, text.find_last_not_of(' ', text.size() - 4) + 1);

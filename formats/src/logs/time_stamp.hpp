@@ -23,7 +23,7 @@ struct TimeStamp {
   bool minutes_and_seconds = false;  // 05:10.3
   bool two_fields = false;           // 05:10
   bool elapsed = false;              // 0 days 00:00:30, 0.5 sec, 26:15:00
-  bool lacks_year = false;           // 03-04 08:15; the day is of 2000, which has all days
+  bool lacks_year = false;           // 03-04 08:15; the day is of 2001
 };
 
 // 2026-11-22T13:05:10.5+01:00, 22.11.2026 13:05:10,5, 11/22/2026 1:05:10 PM, 22-Nov-2026 13:05, 20261122 130510,
@@ -31,6 +31,9 @@ struct TimeStamp {
 // year may lack: 22.11. 13:05, Nov 22 13:05. nullopt for all else. A year of two digits is of 1970 to 2069. Dots: the
 // day is first. `order` tells 03/04/2026.
 std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order);
+
+// AM, p.m.: beside a clock.
+bool is_half_day(std::string_view word);
 
 // "07:05:00" of "07.05.00", as clocks are written in Italian, Danish and Finnish; a fraction may follow, and hours may
 // run on; "07.05" where seconds may be lacking. nullopt: it is none. It may be a date or a number as well.

@@ -29,6 +29,15 @@ std::vector<double> sudden_changes(const std::vector<double>& values) {
   return less_running_median(changes, kRowsOfTrend);
 }
 
+// That of one row, which is no gap, nor are those about it.
+double sudden_change(const std::vector<double>& values, std::size_t row) {
+  const std::size_t first = row < kRowsOfTrend ? 0 : row - kRowsOfTrend,
+                    end = std::min(values.size(), row + kRowsOfTrend + 1);
+  std::vector<double> changes;
+  for (std::size_t i = first; i < end; ++i) changes.push_back(i > 0 ? values[i] - values[i - 1] : 0.0);
+  return changes[row - first] - median(changes);
+}
+
 // The median of the changes that are not zero.
 double usual_change(const std::vector<double>& values) {
   std::vector<double> sizes;
@@ -62,20 +71,28 @@ bool is_even_about(const std::vector<double>& time_s, std::size_t row, double st
   return true;
 }
 
-bool changes_suddenly_about(const Column& other, std::size_t row) {
+// The sudden changes of a column, found when they are asked for.
+struct SuddenChanges {
+  std::vector<double> of_row;
+  double usual = 0.0;
+};
+
+bool changes_suddenly_about(const Column& other, std::size_t row, SuddenChanges& known) {
   const std::size_t first = row - kBeforeOffset, last = std::min(other.values.size() - 1, row + kBehindOffset);
   if (other.role == Role::speed || other.role == Role::load || other.role == Role::event) {
     for (std::size_t i = first; i <= last; ++i)
       if (other.values[i] != other.values[i - 1]) return true;
     return false;
   }
-  const std::vector<double> changes = sudden_changes(other.values);
-  std::vector<double> sizes = changes;
-  for (double& one : sizes) one = std::abs(one);
-  const double usual = std::max(median(std::move(sizes)), 0.5 * usual_change(other.values));
-  return std::any_of(changes.begin() + static_cast<std::ptrdiff_t>(first),
-                     changes.begin() + static_cast<std::ptrdiff_t>(last) + 1,
-                     [&](double change) { return std::abs(change) > 2.0 * kFarLarger * usual; });
+  if (known.of_row.empty()) {
+    known.of_row = sudden_changes(other.values);
+    std::vector<double> sizes = known.of_row;
+    for (double& one : sizes) one = std::abs(one);
+    known.usual = std::max(median(std::move(sizes)), 0.5 * usual_change(other.values));
+  }
+  return std::any_of(known.of_row.begin() + static_cast<std::ptrdiff_t>(first),
+                     known.of_row.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+                     [&](double change) { return std::abs(change) > 2.0 * kFarLarger * known.usual; });
 }
 
 // Of metal.
@@ -108,30 +125,32 @@ struct Jump {
 };
 
 // Those of a column of one run.
-std::vector<Jump> jumps_of(const Series& data, const Column& column) {
+std::vector<Jump> jumps_of(const Series& data, const Column& column, std::vector<SuddenChanges>& known) {
   const std::vector<double>& values = column.values;
   const double step_s = median_step_s(data.time_s);
   if (!is_on_a_body(column) || step_s > kLongestStep_s || is_held_for_rows(values) ||
       !std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
     return {};
-  const std::vector<double> changes = sudden_changes(values);
   const double least = kFarLarger * usual_change(values);
   std::vector<Jump> jumps;
   for (std::size_t row = kRowsAboutOffset; row + kRowsAboutOffset <= values.size(); ++row) {
-    const double size = std::abs(changes[row]);
+    if (!(2.0 * std::abs(values[row] - values[row - 1]) > least)) continue;
+    const double size = std::abs(sudden_change(values, row));
     if (!(size > least)) continue;
     double largest = 0.0;
     for (std::size_t i = row + 1 - kRowsAboutOffset; i < row + kRowsAboutOffset; ++i)
-      if (i != row) largest = std::max(largest, std::abs(changes[i]));
+      if (i != row) largest = std::max(largest, std::abs(sudden_change(values, i)));
     if (!(size > kFarLarger * largest) || !is_even_about(data.time_s, row, step_s)) continue;
     if (stands_still(values, row - kRowsAboutOffset) || stands_still(values, row)) continue;  // stuck before, or behind
     const LocalJump jump = local_jump(values, row);
-    const bool is_alone = std::none_of(data.columns.begin(), data.columns.end(), [&](const Column& other) {
-      return other.name != column.name && changes_suddenly_about(other, row);
-    });
-    if (std::abs(jump.size) > kFarLarger * jump.residual && is_alone) jumps.push_back({row, jump.size});
+    if (!(std::abs(jump.size) > kFarLarger * jump.residual)) continue;
+    bool is_alone = true;
+    for (std::size_t k = 0; k < data.columns.size() && is_alone; ++k)
+      is_alone = data.columns[k].name == column.name || !changes_suddenly_about(data.columns[k], row, known[k]);
+    if (is_alone) jumps.push_back({row, jump.size});
+    if (jumps.size() > kMostOffsets) return {};
   }
-  return jumps.size() > kMostOffsets ? std::vector<Jump>{} : jumps;
+  return jumps;
 }
 
 }  // namespace
@@ -142,8 +161,9 @@ std::shared_ptr<const Series> without_sensor_jumps(const std::shared_ptr<const S
   for (std::size_t run = 0; run < runs.size(); ++run) {
     const Series alone = runs.size() > 1 ? rows_of(*data, runs[run]) : Series();
     const Series& of = runs.size() > 1 ? alone : *data;
+    std::vector<SuddenChanges> known(of.columns.size());
     for (std::size_t k = 0; k < of.columns.size(); ++k) {
-      for (const Jump& jump : jumps_of(of, of.columns[k])) {
+      for (const Jump& jump : jumps_of(of, of.columns[k], known)) {
         if (!result) result = std::make_shared<Series>(*data);
         Column& column = result->columns[k];
         const std::size_t first = runs[run].begin + jump.row;

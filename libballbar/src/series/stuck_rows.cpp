@@ -23,6 +23,7 @@ constexpr double kByChance = 1.0, kByChanceAtEnd = 0.001;  // at the end of the 
 // and the share of those that are at rest, and of all windows.
 struct Windows {
   double noisy = 0.0, share_at_rest = 1.0, share_of_all = 1.0;
+  bool mostly_move = false;
 };
 
 Windows windows_outside(const std::vector<double>& values, const std::vector<RowRange>& runs) {
@@ -42,7 +43,8 @@ Windows windows_outside(const std::vector<double>& values, const std::vector<Row
   const double overlap = static_cast<double>(kWindow);
   return {static_cast<double>(noisy) / overlap,
           (static_cast<double>(at_rest) + overlap) / (static_cast<double>(noisy + at_rest) + 2.0 * overlap),
-          (static_cast<double>(at_rest) + overlap) / (static_cast<double>(all) + 2.0 * overlap)};
+          (static_cast<double>(at_rest) + overlap) / (static_cast<double>(all) + 2.0 * overlap),
+          2 * (noisy + at_rest) < all};
 }
 
 // Whether the value jumps behind the run to where it is, rather than begins to move.
@@ -71,7 +73,7 @@ double smallest_change(const std::vector<double>& values) {
 
 }  // namespace
 
-std::vector<RowRange> stuck_runs(const std::vector<double>& values) {
+std::vector<RowRange> stuck_runs(const std::vector<double>& values, bool is_body) {
   const std::size_t fewest = std::max(kFewestStuck, values.size() / kMostOfRows);
   std::vector<RowRange> runs = equal_rows(values);
   std::erase_if(runs, [&](const RowRange& run) { return run.end - run.begin < fewest; });
@@ -80,11 +82,12 @@ std::vector<RowRange> stuck_runs(const std::vector<double>& values) {
   const double windows = static_cast<double>(values.size()) / static_cast<double>(kWindow);
   const double least = kCatchesUp * smallest_change(values) * (1.0 - 1e-6);
   std::erase_if(runs, [&](const RowRange& run) {
-    const bool mostly_moves = others.noisy < kFewestNoisy;
+    const bool mostly_moves = others.noisy < kFewestNoisy && others.mostly_move && is_body;
+    if (others.noisy < kFewestNoisy && !mostly_moves) return true;
     const double by_chance =
         windows * std::pow(mostly_moves ? others.share_of_all : others.share_at_rest,
                            static_cast<double>(run.end - run.begin) / static_cast<double>(kWindow));
-    if (mostly_moves) return run.end == values.size() || by_chance > kByChance || !leaps(values, run);
+    if (mostly_moves && (run.end == values.size() || !leaps(values, run))) return true;
     if (run.end == values.size()) return by_chance > kByChanceAtEnd || others.noisy < kFewestAtEnd;
     return by_chance > kByChance || !catches_up(values, run, least);
   });

@@ -173,7 +173,18 @@ TEST(log, two_fields_are_minutes_where_the_unit_or_the_rows_say_so) {
             "\"Elapsed\" is read as hours and minutes. State --time-unit min where 5:10 is five minutes.");
 }
 
+// What looks like these, and is not.
+TEST(log, clocks_that_lack_seconds_or_hours_by_chance) {
+  EXPECT_EQ(times("Time,a\n8:00,1\n8:00:30,2\n8:01,3\n"), "0 30 60 ");         // hours and minutes
+  EXPECT_EQ(times("Time,Half,a\n11:59,AM,1\n13:05,PM,2\n"), "0 3960 ");        // of 24 hours
+  EXPECT_THROW(times("Time,a\n19:59,1\n20:00,2\n08:01,3\n08:02,4\n"), Error);  // a night, its date unknown
+  EXPECT_EQ(times("Päivämäärä;Klo;a\n2026-11-22;23:59;1\n2026-11-25;08:00;2\n"), "0 201660 ");
+  EXPECT_EQ(times("Time,a\n2021-11-22 13:05,1\n2026-11-22 13:05,2\n").substr(0, 2), "0 ");  // years apart, both set
+}
+
 TEST(log, dates_may_lack_the_year) {
+  EXPECT_EQ(times("Time,a\n28.02. 23:59,1\n01.03. 00:01,2\n"), "0 120 ");
+  EXPECT_EQ(times("Time,Elapsed_s,a\n03-04 08:15,0,1\n03-04 08:15,10,2\n"), "0 10 ");
   EXPECT_EQ(times("Time,a\n22.11. 23:59,1\n23.11. 00:01,2\n"), "0 120 ");
   EXPECT_EQ(times("Time,a\n11-22 23:59,1\n11-23 00:01,2\n"), "0 120 ");
   EXPECT_EQ(times("Time,a\nNov 22 23:59:58,1\nNov 23 00:00:01,2\n"), "0 3 ");
@@ -200,6 +211,7 @@ TEST(log, rows_that_repeat_rows_above_are_left_out) {
   EXPECT_EQ(log.series.columns.front().values, (std::vector<double>{1, 2, 3, 4}));
   ASSERT_FALSE(log.remarks.empty());
   EXPECT_EQ(log.remarks.front(), "The 3 rows from line 5 on repeat rows above: left out.");
+  EXPECT_EQ(times("Time,a\n" + rows + rows + rows), "0 60 120 ");
   // Other values at the same times are another recording.
   EXPECT_THROW(read_log("Time,a\n" + rows + "10:00:00,5\n10:01:00,6\n", "log.csv"), Error);
 }

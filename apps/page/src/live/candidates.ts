@@ -82,7 +82,7 @@ export const candidate_list = (
       const set = set_labels(found);
       const list = (some: readonly Row[]): HTMLElement => element("ul", {}, ...some.map((row) => row.element));
       const rest = rows.slice(kFirst);
-      const more = element("details", {}, element("summary", {}, t.live_more_candidates({ count: rest.length })), list(rest));
+      const more = element("details", { class: "more" }, element("summary", {}, t.live_more_candidates({ count: rest.length })), list(rest));
       more.addEventListener("toggle", () => opened(rest.map(({ effects }) => effects)), { once: true });
       box.replaceChildren(
         ...(rows.length > 0 ? [element("h3", {}, t.live_may_be_missing), list(rows.slice(0, kFirst))] : []),

@@ -106,6 +106,9 @@ const all_of = async (entry: FileSystemEntry, before: string): Promise<Dropped[]
 // What a system or a program hides beside data, as macOS does on every stick: ".DS_Store", "._00.b5r".
 const is_hidden = ({ name }: Dropped): boolean => /(^|\/)\.[^./]/.test(name);
 
+// Where nothing else was chosen they are meant.
+const without_hidden = (all: Dropped[]): Dropped[] => (all.every(is_hidden) ? all : all.filter((one) => !is_hidden(one)));
+
 // The entries have to be taken while the event is handled; reading them can wait.
 export const dropped_of = async (transfer: DataTransfer): Promise<Dropped[]> => {
   const entries = [...transfer.items].flatMap((item) => (item.kind === "file" ? [item.webkitGetAsEntry()] : []));
@@ -113,11 +116,11 @@ export const dropped_of = async (transfer: DataTransfer): Promise<Dropped[]> => 
   if (entries.length === 0 || entries.includes(null)) return seen_of(files);
   const all: Dropped[] = [];
   for (const entry of entries) if (entry) all.push(...(await all_of(entry, "")));
-  return all.filter((one) => !is_hidden(one));
+  return without_hidden(all);
 };
 
 const seen_of = (files: Iterable<File>): Dropped[] =>
-  [...files].map((file) => ({ name: file.webkitRelativePath || file.name, file })).filter((one) => !is_hidden(one));
+  without_hidden([...files].map((file) => ({ name: file.webkitRelativePath || file.name, file })));
 
 export const chosen_of = (input: HTMLInputElement): Dropped[] => seen_of(input.files ?? []);
 

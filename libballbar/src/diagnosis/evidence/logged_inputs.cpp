@@ -260,7 +260,7 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       input.at_end = saturated_rows(
           column.values, {tuning.fewest_at_end, tuning.least_at_end, tuning.small_step, tuning.fewest_changes});
       if (tuning.stuck_sensors && input.at_end.empty()) {
-        const std::vector<RowRange> runs = stuck_runs(column.values);
+        const std::vector<RowRange> runs = stuck_runs(column.values, is_temperature(column));
         for (const RowRange& run : runs) {
           input.is_stuck = true;
           for (std::size_t row = run.begin; row < run.end; ++row) input.at_end.push_back(row);

@@ -96,12 +96,15 @@ std::vector<char> rows_of_temperature_jumps(const Series& data, const std::vecto
     std::fill(found.begin() + static_cast<std::ptrdiff_t>(first), found.begin() + static_cast<std::ptrdiff_t>(last) + 1,
               char{1});
   };
-  for (std::size_t k = 0; k < rows.size() && !data.sensor_jumps.empty(); ++k) {
-    const std::size_t row = rows[k], before = k > 0 ? rows[k - 1] : row;
-    if (std::any_of(data.sensor_jumps.begin(), data.sensor_jumps.end(), [&](const SensorJump& jump) {
-          return data.time_s[before] < jump.time_s && jump.time_s <= data.time_s[row];
-        }))
-      mark(k);
+  const std::vector<RowRange> runs = data.sensor_jumps.empty() ? std::vector<RowRange>{} : runs_of(data.time_s);
+  for (const SensorJump& jump : data.sensor_jumps) {
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+      if (run < data.runs.size() && data.runs[run].name != jump.run) continue;
+      const auto behind = std::find_if(rows.begin(), rows.end(), [&](std::size_t row) {
+        return row >= runs[run].begin && row < runs[run].end && data.time_s[row] >= jump.time_s;
+      });
+      if (behind != rows.end()) mark(static_cast<std::size_t>(behind - rows.begin()));
+    }
   }
   for (const Column& column : data.columns) {
     const std::string_view unit = unit_of(column.name);

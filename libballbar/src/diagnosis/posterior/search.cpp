@@ -91,7 +91,6 @@ bool has_family_of(const Problem& problem, const std::vector<std::size_t>& signa
 }
 
 // The parameters of the model beside the effects of the sum. The most likely shapes of these, and of their rivals,
-// become signatures.
 // become signatures, and found.fitted has those of the effects.
 std::vector<double> sharpened_model(Problem& problem, SearchResult& found) {
   const NoiseFilter filter = noise_filter_at(problem, found.covariances.front());
@@ -254,8 +253,8 @@ bool has_free_shapes(const Problem& problem) {
 
 // The model beside all effects of the sum but one: an effect may stand for a term of the model that was fitted beside
 // it.
-void fit_without(Problem& problem, std::size_t effect, SearchResult& found) {
-  found.sum.effects.erase(found.sum.effects.begin() + static_cast<std::ptrdiff_t>(effect));
+void fit_without(Problem& problem, std::size_t identity, SearchResult& found) {
+  std::erase_if(found.sum.effects, [&](const SingleEffect& one) { return likeliest_identity(one) == identity; });
   found.linearisation = linearisation_at(problem, std::nullopt, sharpened_model(problem, found));
   found.identities = identities_of(problem, found.linearisation, found.fitted_values);
 }
@@ -297,7 +296,7 @@ std::vector<SearchResult> likely_modes(Problem& problem, std::size_t largest, Se
     const std::size_t without = likeliest_identity(one);
     if (one.p_any() < 0.5 || found.identities.is_held_value(without)) continue;
     SearchResult other = found;
-    if (has_free_shapes(problem)) fit_without(problem, static_cast<std::size_t>(&one - effects.data()), other);
+    if (has_free_shapes(problem)) fit_without(problem, without, other);
     SumOfEffects sum = sum_without(problem, other, largest, without);  // at the same covariance
     const double far = problem.tuning.far_mode + problem.tuning.of_grid * std::max(0.0, one.log_odds);
     if (sum.elbo < found.sum.elbo - far) continue;
