@@ -183,9 +183,8 @@ ModelData open_data(const ModelOptions& options) {
   ModelData data = with_targets_in_um(
       open_model_data(with_stated_targets(options), {}, options.max_gap_s, known_readers(), options.circle), options);
   tell(data.remarks);
-  for (const SensorJump& jump : data.series->sensor_jumps) {
-    if (!options.says_sensor_jumps) tell({text_of(sentence_of(jump))});
-  }
+  if (!options.says_sensor_jumps)
+    for (const SensorJump& jump : data.series->sensor_jumps) tell({text_of(sentence_of(jump))});
   if (!data.series->has_clock) {
     stderr_line(
         "no clock: the rows are numbered, effects with a time constant are not searched, and a second in the "

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,22 +20,15 @@ constexpr std::size_t kRowsAboutOffset = 8, kRowsOfTrend = 4, kMostOffsets = 2;
 constexpr double kFarLarger = 5.0, kEven = 1.5, kLongestStep_s = 120.0;
 constexpr std::size_t kBeforeOffset = 5, kBehindOffset = 2;  // rows in which another column changes with it
 
-// The changes from row to row, each less the median of those about it. A gap has none.
-std::vector<double> sudden_changes(const std::vector<double>& values) {
-  std::vector<double> changes(values.size(), 0.0);
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const double change = values[i] - values[i - 1];
-    if (std::isfinite(change)) changes[i] = change;
-  }
-  return less_running_median(changes, kRowsOfTrend);
-}
-
-// That of one row, which is no gap, nor are those about it.
+// The change from the row before, less the median of those of the rows about it. A gap has none.
 double sudden_change(const std::vector<double>& values, std::size_t row) {
   const std::size_t first = row < kRowsOfTrend ? 0 : row - kRowsOfTrend,
                     end = std::min(values.size(), row + kRowsOfTrend + 1);
   std::vector<double> changes;
-  for (std::size_t i = first; i < end; ++i) changes.push_back(i > 0 ? values[i] - values[i - 1] : 0.0);
+  for (std::size_t i = first; i < end; ++i) {
+    const double change = i > 0 ? values[i] - values[i - 1] : 0.0;
+    changes.push_back(std::isfinite(change) ? change : 0.0);
+  }
   return changes[row - first] - median(changes);
 }
 
@@ -71,28 +65,25 @@ bool is_even_about(const std::vector<double>& time_s, std::size_t row, double st
   return true;
 }
 
-// The sudden changes of a column, found when they are asked for.
-struct SuddenChanges {
-  std::vector<double> of_row;
-  double usual = 0.0;
-};
+// The median of the sudden changes, and half of that of the changes at least.
+double usual_sudden_change(const std::vector<double>& values) {
+  std::vector<double> sizes;
+  sizes.reserve(values.size());
+  for (std::size_t row = 0; row < values.size(); ++row) sizes.push_back(std::abs(sudden_change(values, row)));
+  return std::max(median(std::move(sizes)), 0.5 * usual_change(values));
+}
 
-bool changes_suddenly_about(const Column& other, std::size_t row, SuddenChanges& known) {
+// usual: of the column, found when it is asked for.
+bool changes_suddenly_about(const Column& other, std::size_t row, std::optional<double>& usual) {
   const std::size_t first = row - kBeforeOffset, last = std::min(other.values.size() - 1, row + kBehindOffset);
-  if (other.role == Role::speed || other.role == Role::load || other.role == Role::event) {
-    for (std::size_t i = first; i <= last; ++i)
-      if (other.values[i] != other.values[i - 1]) return true;
-    return false;
+  const bool is_stepped = other.role == Role::speed || other.role == Role::load || other.role == Role::event;
+  if (!is_stepped && !usual) usual = usual_sudden_change(other.values);
+  for (std::size_t i = first; i <= last; ++i) {
+    if (is_stepped ? other.values[i] != other.values[i - 1]
+                   : std::abs(sudden_change(other.values, i)) > 2.0 * kFarLarger * *usual)
+      return true;
   }
-  if (known.of_row.empty()) {
-    known.of_row = sudden_changes(other.values);
-    std::vector<double> sizes = known.of_row;
-    for (double& one : sizes) one = std::abs(one);
-    known.usual = std::max(median(std::move(sizes)), 0.5 * usual_change(other.values));
-  }
-  return std::any_of(known.of_row.begin() + static_cast<std::ptrdiff_t>(first),
-                     known.of_row.begin() + static_cast<std::ptrdiff_t>(last) + 1,
-                     [&](double change) { return std::abs(change) > 2.0 * kFarLarger * known.usual; });
+  return false;
 }
 
 // Of metal.
@@ -125,7 +116,7 @@ struct Jump {
 };
 
 // Those of a column of one run.
-std::vector<Jump> jumps_of(const Series& data, const Column& column, std::vector<SuddenChanges>& known) {
+std::vector<Jump> jumps_of(const Series& data, const Column& column, std::vector<std::optional<double>>& usual) {
   const std::vector<double>& values = column.values;
   const double step_s = median_step_s(data.time_s);
   if (!is_on_a_body(column) || step_s > kLongestStep_s || is_held_for_rows(values) ||
@@ -146,7 +137,7 @@ std::vector<Jump> jumps_of(const Series& data, const Column& column, std::vector
     if (!(std::abs(jump.size) > kFarLarger * jump.residual)) continue;
     bool is_alone = true;
     for (std::size_t k = 0; k < data.columns.size() && is_alone; ++k)
-      is_alone = data.columns[k].name == column.name || !changes_suddenly_about(data.columns[k], row, known[k]);
+      is_alone = data.columns[k].name == column.name || !changes_suddenly_about(data.columns[k], row, usual[k]);
     if (is_alone) jumps.push_back({row, jump.size});
     if (jumps.size() > kMostOffsets) return {};
   }
@@ -161,9 +152,9 @@ std::shared_ptr<const Series> without_sensor_jumps(const std::shared_ptr<const S
   for (std::size_t run = 0; run < runs.size(); ++run) {
     const Series alone = runs.size() > 1 ? rows_of(*data, runs[run]) : Series();
     const Series& of = runs.size() > 1 ? alone : *data;
-    std::vector<SuddenChanges> known(of.columns.size());
+    std::vector<std::optional<double>> usual(of.columns.size());
     for (std::size_t k = 0; k < of.columns.size(); ++k) {
-      for (const Jump& jump : jumps_of(of, of.columns[k], known)) {
+      for (const Jump& jump : jumps_of(of, of.columns[k], usual)) {
         if (!result) result = std::make_shared<Series>(*data);
         Column& column = result->columns[k];
         const std::size_t first = runs[run].begin + jump.row;

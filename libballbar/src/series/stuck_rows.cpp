@@ -20,9 +20,9 @@ constexpr double kLeap = 3.0;                               // largest changes e
 constexpr double kByChance = 1.0, kByChanceAtEnd = 0.001;  // at the end of the column no jump tells more
 
 // Of the windows outside the runs that do not mostly rise or fall: as many independent ones in which the noise shows,
-// and the share of those that are at rest, and of all windows.
+// and the share of those that are at rest. Where nearly all rise or fall, the share is that of all windows.
 struct Windows {
-  double noisy = 0.0, share_at_rest = 1.0, share_of_all = 1.0;
+  double noisy = 0.0, share_at_rest = 1.0;
   bool mostly_move = false;
 };
 
@@ -40,11 +40,12 @@ Windows windows_outside(const std::vector<double>& values, const std::vector<Row
     noisy += std::abs(values[last] - values[begin]) < 0.5 * changes ? 1 : 0;
   }
   // Laplace's rule of succession; windows overlap.
-  const double overlap = static_cast<double>(kWindow);
-  return {static_cast<double>(noisy) / overlap,
-          (static_cast<double>(at_rest) + overlap) / (static_cast<double>(noisy + at_rest) + 2.0 * overlap),
-          (static_cast<double>(at_rest) + overlap) / (static_cast<double>(all) + 2.0 * overlap),
-          2 * (noisy + at_rest) < all};
+  const double overlap = static_cast<double>(kWindow), independent = static_cast<double>(noisy) / overlap;
+  const bool mostly_move = independent < kFewestNoisy && 2 * (noisy + at_rest) < all;
+  return {independent,
+          (static_cast<double>(at_rest) + overlap) /
+              (static_cast<double>(mostly_move ? all : noisy + at_rest) + 2.0 * overlap),
+          mostly_move};
 }
 
 // Whether the value jumps behind the run to where it is, rather than begins to move.
@@ -79,15 +80,13 @@ std::vector<RowRange> stuck_runs(const std::vector<double>& values, bool is_body
   std::erase_if(runs, [&](const RowRange& run) { return run.end - run.begin < fewest; });
   if (runs.empty() || runs.size() > kMostRuns) return {};
   const Windows others = windows_outside(values, runs);
+  if (others.noisy < kFewestNoisy && !(others.mostly_move && is_body)) return {};
   const double windows = static_cast<double>(values.size()) / static_cast<double>(kWindow);
   const double least = kCatchesUp * smallest_change(values) * (1.0 - 1e-6);
   std::erase_if(runs, [&](const RowRange& run) {
-    const bool mostly_moves = others.noisy < kFewestNoisy && others.mostly_move && is_body;
-    if (others.noisy < kFewestNoisy && !mostly_moves) return true;
-    const double by_chance =
-        windows * std::pow(mostly_moves ? others.share_of_all : others.share_at_rest,
-                           static_cast<double>(run.end - run.begin) / static_cast<double>(kWindow));
-    if (mostly_moves && (run.end == values.size() || !leaps(values, run))) return true;
+    const double by_chance = windows * std::pow(others.share_at_rest, static_cast<double>(run.end - run.begin) /
+                                                                          static_cast<double>(kWindow));
+    if (others.mostly_move && (run.end == values.size() || !leaps(values, run))) return true;
     if (run.end == values.size()) return by_chance > kByChanceAtEnd || others.noisy < kFewestAtEnd;
     return by_chance > kByChance || !catches_up(values, run, least);
   });

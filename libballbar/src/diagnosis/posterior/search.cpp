@@ -129,6 +129,12 @@ std::vector<double> sharpened_model(Problem& problem, SearchResult& found) {
       .parameters;
 }
 
+// The model, and the identities about it, beside the effects of the sum.
+void fit_model(Problem& problem, SearchResult& found) {
+  found.linearisation = linearisation_at(problem, std::nullopt, sharpened_model(problem, found));
+  found.identities = identities_of(problem, found.linearisation, found.fitted_values);
+}
+
 // The shape of an identity that has this signature; for a jump the row at its moment.
 std::size_t shape_of(const Problem& problem, const Identities& identities, std::size_t identity,
                      std::size_t signature) {
@@ -233,8 +239,7 @@ bool is_far_behind(const Problem& problem, const SearchResult& mode, double rise
 void converge(Problem& problem, std::size_t largest, SearchResult& found, const SearchResult* other = nullptr) {
   for (int round = 0; round < problem.tuning.most_refined; ++round) {
     const double before = log_weight_of(found);
-    found.linearisation = linearisation_at(problem, std::nullopt, sharpened_model(problem, found));
-    found.identities = identities_of(problem, found.linearisation, found.fitted_values);
+    fit_model(problem, found);
     settle_again(problem, largest, found);
     const double rise = log_weight_of(found) - before;
     if (std::abs(rise) < problem.tuning.better) break;
@@ -255,8 +260,7 @@ bool has_free_shapes(const Problem& problem) {
 // it.
 void fit_without(Problem& problem, std::size_t identity, SearchResult& found) {
   std::erase_if(found.sum.effects, [&](const SingleEffect& one) { return likeliest_identity(one) == identity; });
-  found.linearisation = linearisation_at(problem, std::nullopt, sharpened_model(problem, found));
-  found.identities = identities_of(problem, found.linearisation, found.fitted_values);
+  fit_model(problem, found);
 }
 
 // One mode for each set of identities, the likeliest first.
