@@ -40,18 +40,6 @@ std::vector<unsigned> dictionaries_of(const RidgeProblem& problem) {
   return dictionaries;
 }
 
-// K less N. Machines are apart along what the others leave open as well: v is of both.
-Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const RidgeSetting& setting) {
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.columns.rows(), problem.columns.rows());
-  for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
-    if ((setting.kinds >> kind & 1U) != 0 && problem.kernel[kind].size() > 0)
-      sum += setting.variance * problem.kernel[kind];
-  }
-  if (!problem.named.empty()) sum += setting.named_variance * problem.named_kernel;
-  if (problem.start.size() > 0) sum += (setting.start_scale + setting.variance) * problem.start_kernel;
-  return sum;
-}
-
 // Of all predictors, over s^2.
 Eigen::MatrixXd prior_of(const RidgeProblem& problem, const RidgeSetting& setting) {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.columns.cols(), problem.columns.cols());
@@ -65,6 +53,18 @@ Eigen::MatrixXd prior_of(const RidgeProblem& problem, const RidgeSetting& settin
   }
   if (problem.start.size() > 0) sum += (setting.start_scale + setting.variance) * problem.start_covariance;
   return sum;
+}
+
+// X~ C X~', of gains with this covariance.
+Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const Eigen::MatrixXd& covariance) {
+  Eigen::MatrixXd kernel(problem.columns.rows(), problem.columns.rows());
+  kernel.triangularView<Eigen::Lower>() = (problem.columns * covariance) * problem.columns.transpose();
+  return kernel.selfadjointView<Eigen::Lower>();
+}
+
+// K less N. Machines are apart along what the others leave open as well: v is of both.
+Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const RidgeSetting& setting) {
+  return kernel_of(problem, prior_of(problem, setting));
 }
 
 // K solved for what is asked of it.
@@ -144,6 +144,23 @@ double score_of(const RidgeProblem& problem, const Solved& of) {
   return std::isfinite(sum) ? -sum : -std::numeric_limits<double>::infinity();
 }
 
+// X~ P X~' of each dictionary, with that of the start.
+std::vector<Eigen::MatrixXd> kernels_of(const RidgeProblem& problem, const std::vector<unsigned>& dictionaries) {
+  std::vector<Eigen::MatrixXd> of_kind(kPredictorKinds);
+  in_parallel(kPredictorKinds, [&](std::size_t kind) {
+    if (problem.prior[kind].size() > 0) of_kind[kind] = kernel_of(problem, problem.prior[kind]);
+  });
+  const Eigen::MatrixXd of_start = kernel_of(problem, RidgeSetting{.start_scale = 0.0});
+  std::vector<Eigen::MatrixXd> kernels;
+  for (const unsigned kinds : dictionaries) {
+    kernels.push_back(of_start);
+    for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
+      if ((kinds >> kind & 1U) != 0) kernels.back() += of_kind[kind];
+    }
+  }
+  return kernels;
+}
+
 RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, double start_scale) {
   struct RatedSetting {
     RidgeSetting setting;
@@ -156,39 +173,33 @@ RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, do
   const bool by_runs = runs_in(problem) >= kFewestRunsToLeaveOut;
   // K is factorised for each v where that needs more than the likelihood, or there are few rows for the predictors.
   const bool is_reduced = !by_runs && problem.start.size() == 0 && 2 * problem.columns.cols() <= problem.columns.rows();
-  std::vector<Eigen::MatrixXd> rests(is_reduced ? 0 : kLengths);
+  std::vector<Eigen::MatrixXd> rests(is_reduced ? 0 : kLengths), kernels(is_reduced ? 0 : dictionaries.size());
   std::vector<WhiteProducts> products(is_reduced ? kLengths : 0);
   std::vector<PriorRoot> roots(is_reduced ? dictionaries.size() : 0);
-  in_parallel(kLengths, [&](std::size_t length) {
-    if (is_reduced) {
-      products[length] = white_products(problem, kLengths_s[length], named_variance);
-      return;
-    }
-    Eigen::MatrixXd& rest = rests[length];
-    rest = discrepancy_of(problem.time_s, problem.run, kLengths_s[length]);
-    if (!problem.named.empty()) rest += named_variance * problem.named_kernel;
-    if (problem.start.size() > 0) rest += start_scale * problem.start_kernel;
+  if (!is_reduced) {
+    kernels = kernels_of(problem, dictionaries);
+    const Eigen::MatrixXd fixed =
+        kernel_of(problem, RidgeSetting{.variance = 0.0, .named_variance = named_variance, .start_scale = start_scale});
+    for (std::size_t length = 0; length < kLengths; ++length)
+      rests[length] = fixed + discrepancy_of(problem.time_s, problem.run, kLengths_s[length]);
+  }
+  in_parallel(products.size(), [&](std::size_t length) {
+    products[length] = white_products(problem, kLengths_s[length], named_variance);
   });
   in_parallel(roots.size(),
               [&](std::size_t d) { roots[d] = prior_root(prior_of(problem, {.kinds = dictionaries[d]})); });
   std::vector<RatedSetting> tried(dictionaries.size() * kLengths);
   in_parallel(tried.size(), [&](std::size_t i) {
-    const unsigned kinds = dictionaries[i / kLengths];
-    const std::size_t length = i % kLengths;
-    Eigen::MatrixXd kernel;
+    const std::size_t dictionary = i / kLengths, length = i % kLengths;
     std::optional<LikelihoodAlongVariance> reduced;
-    if (is_reduced) {
-      reduced.emplace(products[length], roots[i / kLengths]);
-    } else {
-      kernel = kernel_of(problem, {.kinds = kinds, .start_scale = 0.0});
-    }
+    if (is_reduced) reduced.emplace(products[length], roots[dictionary]);
     std::map<int, double> known;
     const auto score = [&](int k) {
       const auto [place, is_new] = known.try_emplace(k, 0.0);
       if (is_new) {
         const double variance = std::pow(10.0, 0.5 * k);
-        place->second =
-            reduced ? reduced->at(variance) : score_of(problem, solved(problem, variance * kernel + rests[length]));
+        place->second = reduced ? reduced->at(variance)
+                                : score_of(problem, solved(problem, variance * kernels[dictionary] + rests[length]));
       }
       return place->second;
     };
@@ -208,7 +219,8 @@ RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, do
       const int other = uphill_from(6);
       if (score(other) > score(best)) best = other;
     }
-    tried[i] = {{kinds, std::pow(10.0, 0.5 * best), kLengths_s[length], named_variance, start_scale}, score(best)};
+    tried[i] = {{dictionaries[dictionary], std::pow(10.0, 0.5 * best), kLengths_s[length], named_variance, start_scale},
+                score(best)};
   });
   return std::max_element(tried.begin(), tried.end(),
                           [](const RatedSetting& a, const RatedSetting& b) { return a.score < b.score; })
@@ -335,9 +347,9 @@ Eigen::VectorXd gains_from(const RidgeProblem& problem, const RidgeSetting& sett
     part.time_s.push_back(problem.time_s[row]);
     part.run.push_back(problem.run[row]);
   }
-  const Eigen::MatrixXd kernel = kernel_of(problem, setting)(rows, rows);
-  const Solved of = solved(part, kernel + discrepancy_of(part.time_s, part.run, setting.length_s));
-  const Eigen::VectorXd gains = prior_of(problem, setting) * (part.columns.transpose() * of.of_target);
+  const Eigen::MatrixXd prior = prior_of(problem, setting);
+  const Solved of = solved(part, kernel_of(part, prior) + discrepancy_of(part.time_s, part.run, setting.length_s));
+  const Eigen::VectorXd gains = prior * (part.columns.transpose() * of.of_target);
   return problem.start.size() > 0 ? Eigen::VectorXd(gains + problem.start) : gains;
 }
 
@@ -348,8 +360,8 @@ double log_likelihood_without(const RidgeProblem& problem, const RidgeSetting& s
     prior.row(static_cast<Eigen::Index>(k)).setZero();
     prior.col(static_cast<Eigen::Index>(k)).setZero();
   }
-  const Eigen::MatrixXd kernel = (problem.columns * prior) * problem.columns.transpose();
-  return solved(problem, kernel + discrepancy_of(problem.time_s, problem.run, setting.length_s)).log_likelihood;
+  return solved(problem, kernel_of(problem, prior) + discrepancy_of(problem.time_s, problem.run, setting.length_s))
+      .log_likelihood;
 }
 
 std::size_t named_in(const RidgeProblem& problem, const RidgeFit& fit) {
@@ -359,7 +371,7 @@ std::size_t named_in(const RidgeProblem& problem, const RidgeFit& fit) {
 }
 
 double prior_trace(const RidgeProblem& problem, const RidgeSetting& setting) {
-  return kernel_of(problem, setting).trace();
+  return (problem.columns * prior_of(problem, setting)).cwiseProduct(problem.columns).sum();
 }
 
 RidgePrediction ridge_prediction(const RidgeProblem& problem, const RidgeFit& fit,

@@ -48,15 +48,13 @@ struct RidgeProblem {
   Eigen::VectorXd target_um;
   std::vector<double> time_s;
   std::vector<std::size_t> run;
-  double end_s = 0.0;                   // time of the last row, thinned out or not
-  std::vector<Eigen::MatrixXd> prior;   // P of each kind, p by p
-  std::vector<Eigen::MatrixXd> kernel;  // X~ P X~', n by n
-  std::vector<std::size_t> named;       // predictors
-  Eigen::MatrixXd named_kernel;         // X_m X_m', n by n; empty: none
+  double end_s = 0.0;                  // time of the last row, thinned out or not
+  std::vector<Eigen::MatrixXd> prior;  // P of each kind, p by p
+  std::vector<std::size_t> named;      // predictors
   // Of all scaled gains before there are rows, where the design knows them; empty: none. target_um is less X~ start.
   Eigen::VectorXd start;
-  Eigen::MatrixXd start_covariance, start_kernel;  // C0 over s0^2: p by p, n by n
-  double start_sigma_um = 0.0;                     // s0
+  Eigen::MatrixXd start_covariance;  // C0 over s0^2: p by p
+  double start_sigma_um = 0.0;       // s0
 };
 
 // Of at most `most` of these rows of the design.

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/internal/numerics/parallel.hpp"
 #include "predict/ridge.hpp"
 
 namespace ballbar {
@@ -95,10 +94,6 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
   for (const std::size_t k : design.predictors.named) {
     if (problem.sd[static_cast<Eigen::Index>(k)] > 0.0) problem.named.push_back(k);
   }
-  if (!problem.named.empty()) {
-    const Eigen::MatrixXd named = problem.columns(Eigen::all, problem.named);
-    problem.named_kernel.noalias() = named * named.transpose();
-  }
   if (design.prior) {
     const GainPrior& prior = *design.prior;
     const Eigen::VectorXd sd = problem.sd(prior.at);
@@ -121,14 +116,8 @@ RidgeProblem ridge_problem(const Design& design, const std::vector<std::size_t>&
       problem.start_covariance.col(at).setZero();
       problem.start_covariance(at, at) = variance;
     }
-    problem.start_kernel.noalias() = (problem.columns * problem.start_covariance) * problem.columns.transpose();
     problem.target_um -= problem.columns * problem.start;
   }
-  problem.kernel.resize(kPredictorKinds);
-  in_parallel(kPredictorKinds, [&](std::size_t kind) {
-    if (problem.prior[kind].size() == 0) return;
-    problem.kernel[kind].noalias() = (problem.columns * problem.prior[kind]) * problem.columns.transpose();
-  });
   return problem;
 }
 

@@ -146,11 +146,8 @@ TEST(ridge, the_likelihood_along_the_variance_is_that_of_each_covariance) {
   for (const std::size_t runs : {std::size_t{1}, std::size_t{3}}) {
     RidgeProblem problem = problem_of(design(runs, 40));
     for (const double named_variance : {0.0, kFreeNamed}) {
-      if (named_variance > 0.0) {  // the last predictor, of temperatures: in none of the dictionary below
-        problem.named = {static_cast<std::size_t>(problem.columns.cols()) - 1};
-        const Eigen::VectorXd named = problem.columns.rightCols(1);
-        problem.named_kernel = named * named.transpose();
-      }
+      // The last predictor, of temperatures: in none of the dictionary below.
+      if (named_variance > 0.0) problem.named = {static_cast<std::size_t>(problem.columns.cols()) - 1};
       for (const RidgeSetting& setting : kSettings) {
         if (named_variance > 0.0 && setting.kinds != kSources) continue;
         Eigen::MatrixXd prior = Eigen::MatrixXd::Zero(problem.columns.cols(), problem.columns.cols());
