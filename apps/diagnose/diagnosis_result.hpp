@@ -104,7 +104,7 @@ inline constexpr auto kResult<NextAction> =
 constexpr auto of_diagnosis(auto get) { return in(&DiagnosisReport::diagnosis, get); }
 
 // What a diagnosis adds to the comparison of the model with data.
-inline constexpr std::tuple kDiagnosisFields{
+inline constexpr FieldList kDiagnosisFields{
     Field{"verdict", of_diagnosis(&Diagnosis::verdict),
           "named, probable, driver, equivalent, unexplained, untestable, nothing"},
     Field{"sentence", of_diagnosis([](const Diagnosis& of) { return sentence_of(of); }), "what it says in plain words"},

@@ -32,7 +32,7 @@ struct Ledger {
 // `before`: the row before the first; nullptr: none.
 Ledger ledger_of(const std::vector<LedgerRow>& rows, const LedgerRow* before = nullptr);
 
-inline constexpr std::tuple kLedgerEntryEvidence{
+inline constexpr FieldList kLedgerEntryEvidence{
     Field{"likelihood_ratio", &LedgerRow::likelihood_ratio, "2 ln B of the change, of errors of axes chi^2"},
     Field{"threshold", &LedgerRow::threshold, "from which that counts"}};
 

@@ -180,9 +180,9 @@ constexpr auto of_errors(auto get) { return in(&ErrorsReport::found, get); }
 constexpr auto of_first(auto get) {
   return [get](const ErrorsReport& of) { return std::invoke(get, of.recordings.front()); };
 }
-inline constexpr std::tuple kCheckFields{Field{"tolerances", &tolerance_lines, "pass or fail, a line each"},
-                                         Field{"passes", may_lack([](const ToleranceCheck& of) { return passes(of); }),
-                                               "with a tolerance: whether it and the limits in the file hold"}};
+inline constexpr FieldList kCheckFields{Field{"tolerances", &tolerance_lines, "pass or fail, a line each"},
+                                        Field{"passes", may_lack([](const ToleranceCheck& of) { return passes(of); }),
+                                              "with a tolerance: whether it and the limits in the file hold"}};
 
 template <>
 inline constexpr auto kResult<ErrorsReport> = ResultType(
@@ -226,7 +226,7 @@ struct ErrorsOfOne {
 };
 std::variant<ErrorsOfOne, ErrorsReports> result_of(const ErrorsReports& reports);
 
-inline constexpr std::tuple kErrorsReportsFiles{
+inline constexpr FieldList kErrorsReportsFiles{
     Field{"skipped", &ErrorsReports::skipped, "files that could not be read"},
     Field{"remarks", &ErrorsReports::remarks, "of the readers"}};
 

@@ -2,8 +2,6 @@
 // with --show change two tests.
 #pragma once
 
-#include <tuple>
-
 #include "ballbar/formats/results/message.hpp"
 #include "ballbar/formats/results/result_type.hpp"
 #include "ballbar/history/errors_change.hpp"
@@ -28,7 +26,7 @@ inline constexpr auto kResult<TestQuantity> = ResultType(
     Field{"rank", &TestQuantity::rank, "by the gain of its repair, 1 the largest; null: none"},
     Field{"of_set_up", &TestQuantity::of_set_up, "it says nothing of the machine"});
 
-inline constexpr std::tuple kMachineTestMadeWith{
+inline constexpr FieldList kMachineTestMadeWith{
     Field{"file", &MachineTest::file},
     Field{"second_file", &MachineTest::second_file, "log of the other direction; empty: none"},
     Field{"machine", &MachineTest::machine, "empty: not stated"},

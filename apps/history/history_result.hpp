@@ -38,11 +38,11 @@ inline std::vector<std::string> day_texts(const std::vector<double>& time_s) {
 }
 
 template <class Type>
-inline constexpr std::tuple kQuantityFields{Field{"quantity", &Type::name}, Field{"plane", &Type::plane, "XY, YZ, ZX"},
-                                            Field{"unit", &Type::unit}};
+inline constexpr FieldList kQuantityFields{Field{"quantity", &Type::name}, Field{"plane", &Type::plane, "XY, YZ, ZX"},
+                                           Field{"unit", &Type::unit}};
 template <class Type>
-inline constexpr std::tuple kLevelFields{Field{"level", &Type::level, "of the curve at the last test"},
-                                         Field{"sigma", &Type::level_sigma, "of the level"}};
+inline constexpr FieldList kLevelFields{Field{"level", &Type::level, "of the curve at the last test"},
+                                        Field{"sigma", &Type::level_sigma, "of the level"}};
 
 template <>
 inline constexpr auto kResult<FindingQuantity> =

@@ -94,7 +94,7 @@ inline constexpr auto kResult<ResultsAlone> = ResultType("ResultsAlone", "A file
 std::optional<FittedPair> only_pair(const std::vector<FittedPair>& pairs);
 std::vector<FittedPair> several_pairs(const std::vector<FittedPair>& pairs);
 
-inline constexpr std::tuple kPairFields{
+inline constexpr FieldList kPairFields{
     Field{"iso230_4", may_lack(&only_pair), "of the only pair of CCW and CW: the numbers of ISO 230-4"},
     Field{"iso230_4_pairs", may_lack(&several_pairs), "of several pairs, each with its file"}};
 

@@ -60,7 +60,7 @@ inline constexpr auto kResult<Coefficient> = ResultType(
 constexpr auto of_fit(auto... get) { return in(&ResidualReport::fit, get...); }
 
 // What `check --json` prints of one target.
-inline constexpr std::tuple kResidualReportFigures{
+inline constexpr FieldList kResidualReportFigures{
     Field{"target", of_fit(&Fit::target), "column that is explained"},
     Field{"target_unit", of_fit(&Fit::target, &unit_of),
           "for which um stands in the other keys; empty: the column states none"},

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "ballbar/formats/results/result_type.hpp"
@@ -64,11 +63,11 @@ inline constexpr auto kResult<PredictedTarget> = ResultType(
 
 // Of `train` on temperatures, and of batches weighted for a job.
 
-inline constexpr std::tuple kRegressionSettings{Field{"method", &RegressionSettings::method, "pcr, ridge"},
-                                                Field{"components", &RegressionSettings::components},
-                                                Field{"penalty_K2", &RegressionSettings::penalty_K2, "of ridge"}};
+inline constexpr FieldList kRegressionSettings{Field{"method", &RegressionSettings::method, "pcr, ridge"},
+                                               Field{"components", &RegressionSettings::components},
+                                               Field{"penalty_K2", &RegressionSettings::penalty_K2, "of ridge"}};
 
-inline constexpr std::tuple kContenderErrors{
+inline constexpr FieldList kContenderErrors{
     Field{"held_out_um", in(&Contender::held_out, &HeldOutErrors::rms_um), "RMSE of batches left out"},
     Field{"worst_um", in(&Contender::held_out, &HeldOutErrors::worst_um), "of the worst of them"},
     Field{"worst_batch", &Contender::worst}, Field{"rmse_um", &Contender::rmse_um, "of all batches, trained on"}};
@@ -150,7 +149,7 @@ inline constexpr auto kResult<TrainedForJob> = ResultType(
 
 // Of `train` on effects.
 
-inline constexpr std::tuple kForecastTestErrors{
+inline constexpr FieldList kForecastTestErrors{
     Field{"count", &Forecasts::count, "of origins, or of runs left out"},
     Field{"error_um", &Forecasts::error_um, "mean of the absolute error"}, Field{"rmse_um", &Forecasts::rmse_um},
     Field{"held_um", &Forecasts::held_um, "RMSE where the last value, or the mean, is held; of runs 0 um"},

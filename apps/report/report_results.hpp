@@ -32,9 +32,9 @@ struct ModelPart {
   std::optional<Ledger> ledger;
 };
 
-inline constexpr std::tuple kModelPartDrawn{Field{"check", may_lack(&ModelPart::check), "how it fits"},
-                                            Field{"diagnose", may_lack(&ModelPart::diagnose), "what it lacks"},
-                                            Field{"ledger", may_lack(&ModelPart::ledger), "of the model"}};
+inline constexpr FieldList kModelPartDrawn{Field{"check", may_lack(&ModelPart::check), "how it fits"},
+                                           Field{"diagnose", may_lack(&ModelPart::diagnose), "what it lacks"},
+                                           Field{"ledger", may_lack(&ModelPart::ledger), "of the model"}};
 
 template <>
 inline constexpr auto kResult<ModelPart> = ResultType("ModelPart", "What of a page changes with the model.",

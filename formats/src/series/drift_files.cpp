@@ -74,10 +74,11 @@ bool may_cause(const Column& column) {
 }
 
 void write_rows(std::ostream& out, const Series& series) {
-  constexpr std::string_view kTime = std::get<0>(kResult<SeriesRow>.fields).name;
+  std::string_view time;  // the first key
+  kResult<SeriesRow>.fields.each([&](const auto& field) { time = time.empty() ? field.name : time; });
   out << '[';
   for (std::size_t row = 0; row < series.time_s.size(); ++row) {
-    std::string line = fmt::format("{}\n    {{\"{}\": {}", row == 0 ? "" : ",", kTime, series.time_s[row]);
+    std::string line = fmt::format("{}\n    {{\"{}\": {}", row == 0 ? "" : ",", time, series.time_s[row]);
     for (const Column& column : series.columns) {
       const double value = column.values[row];
       line += std::isfinite(value) ? fmt::format(", \"{}\": {}", column.name, value)
@@ -109,7 +110,7 @@ void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
   const FiveProbeDrift result = result_of(drift, steps, sheet, stable_um);
   std::string_view before = "{";
   const auto write = [&](const auto& field) { write_keys(out, before, field.name, std::invoke(field.get, result)); };
-  std::apply([&](const auto&... field) { (write(field), ...); }, kResult<FiveProbeDrift>.fields);
+  kResult<FiveProbeDrift>.fields.each(write);
   out << "\n}\n";
 }
 
@@ -142,7 +143,7 @@ void write_by_extension(const std::filesystem::path& path, Columns columns, Writ
 Series series_of(const DriftSeries& drift) {
   Series series;
   for (const DriftPoint& point : drift.points) series.time_s.push_back(point.time_s);
-  std::apply([&](const auto&... field) { (add_column(series, drift, field), ...); }, kDriftPointColumns);
+  kDriftPointColumns.each([&](const auto& field) { add_column(series, drift, field); });
   return series;
 }
 

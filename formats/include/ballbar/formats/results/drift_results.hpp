@@ -16,18 +16,18 @@ namespace ballbar {
 // The fields of an estimate, its value and its sigma, which a result may lack; and of one with the unit of the result.
 template <class... Gets>
 constexpr auto estimate(std::string_view value, std::string_view sigma, std::string_view meaning, Gets... gets) {
-  return std::tuple{Field{value, may_lack(in(gets..., &Estimate::value_um)), meaning},
-                    Field{sigma, may_lack(in(gets..., &Estimate::sigma_um))}};
+  return FieldList{Field{value, may_lack(in(gets..., &Estimate::value_um)), meaning},
+                   Field{sigma, may_lack(in(gets..., &Estimate::sigma_um))}};
 }
 template <class... Gets>
 constexpr auto estimate_with_unit(std::string_view value, std::string_view sigma, std::string_view meaning,
                                   Gets... gets) {
-  return std::tuple{Field{value, with_unit(may_lack(in(gets..., &Estimate::value_um))), meaning},
-                    Field{sigma, with_unit(may_lack(in(gets..., &Estimate::sigma_um)))}};
+  return FieldList{Field{value, with_unit(may_lack(in(gets..., &Estimate::value_um))), meaning},
+                   Field{sigma, with_unit(may_lack(in(gets..., &Estimate::sigma_um)))}};
 }
 
 // What is drawn and written as columns.
-inline constexpr auto kDriftPointColumns = std::tuple_cat(
+inline constexpr auto kDriftPointColumns = FieldList(
     estimate("x_um", "x_sigma_um", "", &DriftPoint::x), estimate("y_um", "y_sigma_um", "", &DriftPoint::y),
     estimate("z_um", "z_sigma_um", "", &DriftPoint::z),
     estimate("radial_um", "radial_sigma_um", "", &DriftPoint::radial),
@@ -37,8 +37,7 @@ inline constexpr auto kDriftPointColumns = std::tuple_cat(
     estimate("radius_change_um", "radius_change_sigma_um", "of the circle, or the path about C",
              &DriftPoint::radius_change),
     estimate("radius_change_a_um", "radius_change_a_sigma_um", "of the path about A", &DriftPoint::radius_change_a),
-    std::tuple{Field{"elongation_correction_um", may_lack(&DriftPoint::elongation_correction_um),
-                     "taken off the radial test"}});
+    Field{"elongation_correction_um", may_lack(&DriftPoint::elongation_correction_um), "taken off the radial test"});
 
 template <>
 inline constexpr auto kResult<DriftPoint> = ResultType(

@@ -12,7 +12,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -73,6 +72,20 @@ inline constexpr bool kIsOptional = false;
 template <class Value>
 inline constexpr bool kIsOptional<std::optional<Value>> = true;
 
+// What a `get` takes from a result: std::invoke, which compiles more slowly.
+template <class Type, class Get>
+constexpr decltype(auto) value_in(const Type& result, const Get& get) {
+  if constexpr (std::is_pointer_v<Type>) {
+    return value_in(*result, get);
+  } else if constexpr (std::is_member_object_pointer_v<Get>) {
+    return (result.*get);
+  } else if constexpr (std::is_member_function_pointer_v<Get>) {
+    return (result.*get)();
+  } else {
+    return get(result);
+  }
+}
+
 // The `get` of a field that is a member of a part: in(&OwnValue::interval, &Interval::low). Null without that part.
 template <class Get>
 constexpr Get in(Get get) {
@@ -81,17 +94,17 @@ constexpr Get in(Get get) {
 template <class Part, class... Rest>
 constexpr auto in(Part part, Rest... rest) {
   return [part, get = in(rest...)](const auto& result) -> decltype(auto) {
-    using Of = std::invoke_result_t<const Part&, decltype(result)>;
+    using Of = decltype(value_in(result, part));
     if constexpr (kIsOptional<std::remove_cvref_t<Of>>) {
-      const auto& of = std::invoke(part, result);
-      using Value = std::remove_cvref_t<decltype(std::invoke(get, *of))>;
+      const auto& of = value_in(result, part);
+      using Value = std::remove_cvref_t<decltype(value_in(*of, get))>;
       using Null = std::conditional_t<kIsOptional<Value>, Value, std::optional<Value>>;
-      return of ? Null(std::invoke(get, *of)) : Null();
+      return of ? Null(value_in(*of, get)) : Null();
     } else if constexpr (std::is_lvalue_reference_v<Of>) {
-      return std::invoke(get, std::invoke(part, result));
+      return value_in(value_in(result, part), get);
     } else {
-      const auto of = std::invoke(part, result);
-      return std::remove_cvref_t<decltype(std::invoke(get, of))>(std::invoke(get, of));
+      const auto of = value_in(result, part);
+      return std::remove_cvref_t<decltype(value_in(of, get))>(value_in(of, get));
     }
   };
 }
@@ -100,7 +113,7 @@ constexpr auto in(Part part, Rest... rest) {
 template <class Get>
 constexpr auto may_lack(Get get) {
   return [get](const auto& result) {
-    const auto& value = std::invoke(get, result);
+    const auto& value = value_in(result, get);
     using Value = std::remove_cvref_t<decltype(value)>;
     if constexpr (kIsOptional<Value>) {
       return MayLack<typename Value::value_type>{value};
@@ -114,9 +127,9 @@ constexpr auto may_lack(Get get) {
 template <class Is, class Get>
 constexpr auto where(Is is_so, Get get) {
   return [is_so, get](const auto& result) {
-    using Value = std::remove_cvref_t<decltype(std::invoke(get, result))>;
+    using Value = std::remove_cvref_t<decltype(value_in(result, get))>;
     MayLack<Value> field;
-    if (std::invoke(is_so, result)) field.value.emplace(std::invoke(get, result));
+    if (value_in(result, is_so)) field.value.emplace(value_in(result, get));
     return field;
   };
 }
@@ -124,11 +137,11 @@ constexpr auto where(Is is_so, Get get) {
 // Of how many a list has, of a long one, of numbers that are known, and of a value with the unit of the result.
 template <class Get>
 constexpr auto count(Get get) {
-  return [get](const auto& result) { return std::invoke(get, result).size(); };
+  return [get](const auto& result) { return value_in(result, get).size(); };
 }
 template <class Get>
 constexpr auto bulk(Get get) {
-  return [get](const auto& result) { return Bulk{std::invoke(get, result)}; };
+  return [get](const auto& result) { return Bulk{value_in(result, get)}; };
 }
 template <class Value>
 Known<Value> known_value(const Value& value) {
@@ -140,54 +153,81 @@ MayLack<Known<Value>> known_value(const MayLack<Value>& lacking) {
 }
 template <class Get>
 constexpr auto known(Get get) {
-  return [get](const auto& result) { return known_value(std::invoke(get, result)); };
+  return [get](const auto& result) { return known_value(value_in(result, get)); };
 }
 template <class Get>
 constexpr auto with_unit(Get get) {
   return [get](const auto& result) {
-    return OfUnit<std::remove_cvref_t<decltype(std::invoke(get, result))>>{std::invoke(get, result), result.unit};
+    return OfUnit<std::remove_cvref_t<decltype(value_in(result, get))>>{value_in(result, get), result.unit};
   };
 }
 
-// The fields of a result as they are, and one as a list of them.
-template <class... Gets>
-constexpr std::tuple<Field<Gets>...> fields_of(const std::tuple<Field<Gets>...>& fields) {
-  return fields;
-}
-template <class Get>
-constexpr std::tuple<Field<Get>> fields_of(const Field<Get>& field) {
-  return {field};
-}
+// Fields in the order of the JSON, each a Field or a list of them. (A std::tuple of so many types takes a third of the
+// time in which the program compiles.)
+template <std::size_t, class Part>
+struct FieldListPart {
+  Part part;
+};
+template <class Indices, class... Parts>
+struct FieldListParts;
+template <std::size_t... I, class... Parts>
+struct FieldListParts<std::index_sequence<I...>, Parts...> : FieldListPart<I, Parts>... {
+  constexpr explicit FieldListParts(const Parts&... parts) : FieldListPart<I, Parts>{parts}... {}
 
-// What describes a type of result: its name for TypeScript and Python, and its fields in the order of the JSON.
-// `parts`: fields, and lists of them; of two of the same name the later one counts, in the place of the first.
-template <class Fields>
-struct ResultType {
-  std::string_view name, meaning;
-  Fields fields;
+  template <class Visit>
+  constexpr void each(const Visit& visit) const {
+    (visit_part(static_cast<const FieldListPart<I, Parts>&>(*this).part, visit), ...);
+  }
 
-  template <class... Parts>
-  constexpr ResultType(std::string_view the_name, std::string_view the_meaning, const Parts&... parts)
-      : name(the_name), meaning(the_meaning), fields(std::tuple_cat(fields_of(parts)...)) {}
+ private:
+  template <class Get, class Visit>
+  static constexpr void visit_part(const Field<Get>& field, const Visit& visit) {
+    visit(field);
+  }
+  template <class List, class Visit>
+  static constexpr void visit_part(const List& list, const Visit& visit) {
+    list.each(visit);
+  }
 };
 template <class... Parts>
-ResultType(std::string_view, std::string_view, const Parts&...)
-    -> ResultType<decltype(std::tuple_cat(fields_of(std::declval<const Parts&>())...))>;
+struct FieldList : FieldListParts<std::index_sequence_for<Parts...>, Parts...> {
+  constexpr explicit FieldList(const Parts&... parts)
+      : FieldListParts<std::index_sequence_for<Parts...>, Parts...>(parts...) {}
+};
+
+// What describes a type of result: its name for TypeScript and Python, and its fields. Of two of the same name the
+// later one counts, in the place of the first.
+template <class... Parts>
+struct ResultType {
+  std::string_view name, meaning;
+  FieldList<Parts...> fields;
+
+  constexpr ResultType(std::string_view the_name, std::string_view the_meaning, const Parts&... parts)
+      : name(the_name), meaning(the_meaning), fields(parts...) {}
+};
 
 // Specialised for each type of result.
 template <class Type>
 inline constexpr std::nullptr_t kResult = nullptr;
 
 // The fields of a part of a result, as fields of the result: all that describe it, or these.
+template <class Part, class List>
+struct FieldsOfPart {
+  Part part;
+  List list;
+
+  template <class Visit>
+  constexpr void each(const Visit& visit) const {
+    list.each([&](const auto& field) { visit(Field{field.name, in(part, field.get), field.meaning}); });
+  }
+};
+template <class Part, class... Of>
+requires(sizeof...(Of) > 0) constexpr auto fields_of(Part part, const Of&... of) {
+  return FieldsOfPart<Part, FieldList<Of...>>{part, FieldList<Of...>(of...)};
+}
 template <class Type, class Part>
 constexpr auto fields_of(Part Type::*part) {
   return fields_of(part, kResult<Part>.fields);
-}
-template <class Part, class... Of>
-requires(sizeof...(Of) > 0) constexpr auto fields_of(Part part, const Of&... of) {
-  const auto through = [part](const auto& field) { return Field{field.name, in(part, field.get), field.meaning}; };
-  return std::apply([&](const auto&... field) { return std::tuple{through(field)...}; },
-                    std::tuple_cat(fields_of(of)...));
 }
 
 // Of several targets, each as of one.
@@ -356,16 +396,15 @@ struct KeyOf<KeysOf<Value>> {
 // Calls `visit` with each field of a result and the KeyOf of its value.
 template <Described Type, class Visit>
 void for_each_field(const Visit& visit) {
-  const auto of = [&](const auto& field) {
-    visit(field, KeyOf<std::remove_cvref_t<std::invoke_result_t<decltype(field.get), const Type&>>>());
-  };
-  std::apply([&](const auto&... field) { (of(field), ...); }, kResult<Type>.fields);
+  kResult<Type>.fields.each([&](const auto& field) {
+    visit(field, KeyOf<std::remove_cvref_t<decltype(value_in(std::declval<const Type&>(), field.get))>>());
+  });
 }
 
 template <Described Type>
 Json json_of(const Type& result) {
   Json json = Json::object();
-  for_each_field<Type>([&](const auto& field, auto key) { key.add(json, field.name, std::invoke(field.get, result)); });
+  for_each_field<Type>([&](const auto& field, auto key) { key.add(json, field.name, value_in(result, field.get)); });
   return json;
 }
 
