@@ -78,7 +78,7 @@ Eigen::VectorXd robust_residual(const Eigen::MatrixXd& a, const Eigen::VectorXd&
       std::swap(rows[k], rows[k + random() % (rows.size() - k)]);
     }
     const std::vector<Eigen::Index> few(rows.begin(), rows.begin() + p);
-    const Eigen::VectorXd residual = y - a * a(few, Eigen::all).colPivHouseholderQr().solve(y(few)).eval();
+    const Eigen::VectorXd residual = y - a * a(few, Eigen::all).colPivHouseholderQr().solve(Eigen::VectorXd(y(few)));
     const Eigen::VectorXd away = residual.cwiseAbs();
     const double middle = median<double>({away.begin(), away.end()});
     if (!(middle < least)) continue;
@@ -90,7 +90,7 @@ Eigen::VectorXd robust_residual(const Eigen::MatrixXd& a, const Eigen::VectorXd&
   for (Eigen::Index k = 0; k < n; ++k) {
     if (std::abs(best[k]) <= kNear * kSigmaOfDeviation * least) near.push_back(k);
   }
-  return y - a * a(near, Eigen::all).colPivHouseholderQr().solve(y(near)).eval();
+  return y - a * a(near, Eigen::all).colPivHouseholderQr().solve(Eigen::VectorXd(y(near)));
 }
 
 // Mean of each sensor in each batch (rows) beyond what the batch and its heat suggest.

@@ -30,7 +30,7 @@ struct Principal {
 
 Principal principal(const Moments& moments) {
   const Eigen::Index m = moments.mean.size() - 1;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(moments.scatter.topLeftCorner(m, m));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(moments.scatter.topLeftCorner(m, m)));
   Principal result{solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse(), {}, 0};
   result.along = result.vector.transpose() * moments.scatter.col(m).head(m);
   while (result.determined < m && result.value[result.determined] > kNothing * result.value[0]) ++result.determined;

@@ -80,7 +80,7 @@ void test_added(Inference& found, const std::vector<Term>& terms, const Series& 
                       std::back_inserter(others));
   for (const std::size_t family : others)
     result.beside.push_back(label_of(found.problem->library.families[family].bound));
-  result.after.likelihood_ratio = std::max(0.0, log_bayes_factor_beside(found, set, others));
+  result.after.likelihood_ratio = log_bayes_factor_beside(found, set, others);
   const FittedSet fitted = fitted_set(*found.problem, found.posterior, set, true);
   if (others.empty() && !set.freed) result.parameters = fitted.parameters;
   if (set.freed) {

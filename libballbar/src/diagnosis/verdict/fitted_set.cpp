@@ -100,7 +100,8 @@ double profile_end(const BaseModel& model, const ShapeFit& best, std::size_t par
   return at(factor);
 }
 
-// The rows of the smallest and the largest value in the run where they differ most: each run has its own zero.
+// The rows of the smallest and the largest value in the run where they differ most: each run has its own zero. Where a
+// value lasts, the later of the two rows is the last one: at the row of a jump its moment counts as well as its size.
 std::pair<Eigen::Index, Eigen::Index> extremes_in_a_run(const Problem& problem, const Eigen::VectorXd& curve) {
   const std::vector<RowRange> runs = problem.model.level == Level::series
                                          ? runs_of(problem.time_s)
@@ -111,6 +112,10 @@ std::pair<Eigen::Index, Eigen::Index> extremes_in_a_run(const Problem& problem, 
     Eigen::Index low = 0, high = 0;
     curve.segment(begin, count).minCoeff(&low);
     curve.segment(begin, count).maxCoeff(&high);
+    Eigen::Index& later = high > low ? high : low;
+    for (Eigen::Index i = count - 1; i > later; --i) {
+      if (curve[begin + i] == curve[begin + later]) later = i;
+    }
     if (curve[begin + high] - curve[begin + low] > curve[widest.second] - curve[widest.first])
       widest = {begin + low, begin + high};
   }
