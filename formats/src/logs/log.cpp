@@ -38,10 +38,11 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kListedLines = 10;   // of those that are skipped
-constexpr std::size_t kListedColumns = 5;  // that are left out
-constexpr std::size_t kProbesAtMost = 3;   // that no name tells
-constexpr double kBetweenBursts = 5.0;     // times the middle step of time
+constexpr std::size_t kListedLines = 10;    // of those that are skipped
+constexpr std::size_t kListedColumns = 5;   // that are left out
+constexpr std::size_t kProbesAtMost = 3;    // that no name tells
+constexpr std::size_t kColumnsOfRows = 10;  // times the rows: it lies on its side
+constexpr double kBetweenBursts = 5.0;      // times the middle step of time
 
 std::string shape_text(const LogShape& shape) {
   const std::string_view delimiter = shape.delimiter == ';'    ? "semicolons"
@@ -94,6 +95,9 @@ void say_table_above(const LogShape& shape, Log& log) {
 }
 
 void say_lines(const LogTable& table, const TimePlan& time, Log& log) {
+  if (!time.likely.empty())
+    log.remarks.push_back(
+        fmt::format("{0} rises like a time. State --time {0} --time-unit s if it is one in s.", time.likely));
   if (time.two_fields_are_hours && table.elapsed && !table.first_day)
     log.remarks.push_back(
         fmt::format("{} is read as hours and minutes. State --time-unit min where 5:10 is five minutes.", time.text));
@@ -101,6 +105,12 @@ void say_lines(const LogTable& table, const TimePlan& time, Log& log) {
   if (table.other_lines > 0)
     log.remarks.push_back(
         fmt::format("{} of comments, names or text after the rows: ignored.", lines(table.other_lines)));
+  if (!table.gap_words.empty()) {
+    std::vector<std::string> words;
+    for (const std::string& word : table.gap_words) words.push_back(in_quotes(word));
+    log.remarks.push_back(
+        fmt::format("{}: read as a missing value wherever it stands for a number.", fmt::join(words, ", ")));
+  }
   if (table.without_time > 0)
     log.remarks.push_back(fmt::format("{} without a time: left out.", lines(table.without_time)));
   if (table.before_clock > 0) {
@@ -283,6 +293,13 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
   if (table.rows < 2) {
     throw Error(fmt::format("{}:{}: expected at least two rows, found {}.", name, shape.first_row_line, table.rows));
   }
+  if (plan.columns.size() > kColumnsOfRows * table.rows &&
+      std::none_of(plan.columns.begin(), plan.columns.end(), [](const auto& column) { return column.headed; })) {
+    throw Error(
+        fmt::format("{}:{}: expected a row for each time, found {} rows of {} values without names. If each row "
+                    "is a channel, export one column a channel.",
+                    name, shape.first_row_line, table.rows, plan.columns.size()));
+  }
   Log log;
   log.shape = shape_text(shape);
   log.time = plan.time.text;
@@ -311,6 +328,7 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
     say(take_single_outliers(table.values[i]));
   }
   take_fahrenheit(plan, table.values);
+  if (std::string scale = take_scale(plan, table.values); !scale.empty()) log.remarks.push_back(std::move(scale));
   std::vector<std::string> assumed(plan.columns.size());
   for (const TemperatureFamily& family : temperatures_among(plan, table.values)) {
     for (const std::size_t i : family.columns) {

@@ -108,7 +108,8 @@ std::optional<double> switch_value(std::string_view cell) {
       "on|true|yes|open|opened|ein|an|auf|offen|ja|wahr|running|run|active|aktiv|oui|marche|vrai|si|acceso|aperto|"
       "vero|high|开|是|オン";
   constexpr std::string_view kOff =
-      "off|false|no|close|closed|aus|zu|geschlossen|nein|falsch|stopped|stop|inactive|inaktiv|non|arret|faux|"
+      "off|false|no|close|closed|aus|zu|geschlossen|nein|falsch|stopped|stop|halt|stillstand|停止|inactive|inaktiv|non|"
+      "arret|faux|"
       "spento|chiuso|falso|low|关|否|オフ";
   const std::string key = folded(trimmed_cell(cell));
   if (is_one_of(kOn, key)) return 1.0;

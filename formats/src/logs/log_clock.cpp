@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 #include "ballbar/error.hpp"
@@ -16,6 +17,7 @@ namespace ballbar {
 namespace {
 
 constexpr double kHour_s = 3600.0;
+constexpr double kYear_s = 365.0 * kDay_s;  // of dates that lack theirs
 
 double rounded(double value, double step) { return step > 0.0 ? std::round(value / step) * step : value; }
 
@@ -46,7 +48,8 @@ class Clock {
   void run_on(std::vector<double>& time_s) {
     const double step_s = median_step_s(time_s);
     const double slack_s = std::max(3.0, 2.5 * step_s);
-    const double turn_s = plan_.time.minutes_and_seconds ? kHour_s : kDay_s;
+    const bool may_turn = !table_.first_day || table_.lacks_year;
+    const double turn_s = table_.lacks_year ? kYear_s : plan_.time.minutes_and_seconds ? kHour_s : kDay_s;
     double added_s = 0.0;
     std::size_t turns = 0, half_turns = 0;
     const bool is_of_12_hours =
@@ -60,7 +63,7 @@ class Clock {
         return *table_.first_day + static_cast<std::int64_t>(std::floor(written_s / kDay_s));
       };
       if (change_s < 0.0) {
-        if (!dated && change_s < -0.5 * turn_s) {
+        if (may_turn && change_s < -0.5 * turn_s) {
           added_s += turn_s;
           ++turns;
         } else if (may_change_time && std::abs(change_s + kHour_s - step_s) <= slack_s &&
@@ -94,7 +97,7 @@ class Clock {
     if (turns == 0) return;
     remarks_.push_back(plan_.time.minutes_and_seconds
                            ? fmt::format("The minutes restart {} times: the time continues.", turns)
-                           : fmt::format("Past midnight {}: the time continues.",
+                           : fmt::format("Past {} {}: the time continues.", table_.lacks_year ? "New Year" : "midnight",
                                          turns == 1 ? "once" : fmt::format("{} times", turns)));
   }
 
@@ -179,7 +182,7 @@ class Clock {
 // Rows that repeat rows above, as of a log that was saved twice or that goes on from a copy, are left out.
 bool leave_out_repeated_rows(LogTable& table, const std::vector<double>& time_s, std::vector<std::string>& remarks) {
   const auto falls = std::adjacent_find(time_s.begin(), time_s.end(), std::greater<>());
-  if (falls == time_s.end() || table.newest_first) return false;
+  if (falls == time_s.end()) return false;
   const auto begin = static_cast<std::size_t>(falls - time_s.begin()) + 1;
   const auto first = static_cast<std::size_t>(
       std::lower_bound(time_s.begin(), time_s.begin() + static_cast<std::ptrdiff_t>(begin), time_s[begin]) -
@@ -199,13 +202,50 @@ bool leave_out_repeated_rows(LogTable& table, const std::vector<double>& time_s,
   if (!is_repeated) return false;
   remarks.push_back(
       fmt::format("The {} rows from line {} on repeat rows above: left out.", end - begin, table.line_of(begin)));
-  erase_rows(begin, end, table);
+  std::vector<std::size_t> rows(table.rows);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(begin), rows.begin() + static_cast<std::ptrdiff_t>(end));
+  keep_rows(rows, table);
   return true;
 }
 
-// Whether every row is of an earlier time than the row before: the log has its newest row first.
-bool falls_throughout(const std::vector<double>& time_s) {
-  return time_s.size() > 2 && time_s.back() < time_s.front() && std::is_sorted(time_s.rbegin(), time_s.rend());
+// Puts rows in the order of their times: a log whose newest row comes first, and one with a date in each row that has
+// whole blocks or a few single rows in other places. Rows of two blocks that alternate, or have the same time, are of a
+// clock that was set back.
+void put_in_order(LogTable& table, const std::vector<double>& time_s, bool is_dated,
+                  std::vector<std::string>& remarks) {
+  constexpr std::size_t kChangesOfBlock = 3;  // of the block, from row to row in order
+  std::vector<std::size_t> rows(time_s.size()), block(time_s.size(), 0);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  if (time_s.size() > 2 && time_s.back() < time_s.front() && std::is_sorted(time_s.rbegin(), time_s.rend())) {
+    std::reverse(rows.begin(), rows.end());
+    keep_rows(rows, table);
+    remarks.push_back("The newest row comes first in the file: the rows are read from the last one on.");
+    return;
+  }
+  if (!is_dated) return;
+  std::size_t first = 0;  // that is earlier than the one above
+  for (std::size_t row = 1; row < time_s.size(); ++row) {
+    const bool falls = time_s[row] < time_s[row - 1];
+    block[row] = block[row - 1] + falls;
+    if (!falls) continue;
+    if (first == 0) first = row;
+    if (table.first_day &&
+        may_change(*table.first_day + static_cast<std::int64_t>(std::floor(time_s[row] / kDay_s)), time_s[row]))
+      return;
+  }
+  if (first == 0) return;
+  std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) { return time_s[a] < time_s[b]; });
+  std::size_t changes = 0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    if (block[rows[k]] == block[rows[k - 1]]) continue;
+    if (time_s[rows[k]] == time_s[rows[k - 1]]) return;
+    ++changes;
+  }
+  if (changes > kChangesOfBlock * block.back()) return;
+  remarks.push_back(fmt::format(
+      "Line {} is earlier than the line above: the rows are read in the order of their times.", table.line_of(first)));
+  keep_rows(rows, table);
 }
 
 }  // namespace
@@ -221,13 +261,11 @@ std::vector<double> clock_s(LogTable& table, const LogPlan& plan, const std::str
     }
     return time_s;
   }
-  if (falls_throughout(time.kind == TimePlan::Kind::number ? table.values[time.column] : table.time_s)) {
-    put_oldest_first(table);
-    remarks.push_back("The newest row comes first in the file: the rows are read from the last one on.");
-  }
-  while (leave_out_repeated_rows(table, time.kind == TimePlan::Kind::number ? table.values[time.column] : table.time_s,
-                                 remarks))
-    continue;
+  const auto written = [&]() -> const std::vector<double>& {
+    return time.kind == TimePlan::Kind::number ? table.values[time.column] : table.time_s;
+  };
+  while (leave_out_repeated_rows(table, written(), remarks)) continue;
+  put_in_order(table, std::vector(written()), time.zero_s || (table.first_day && !table.lacks_year), remarks);
   Clock clock(table, plan, name, remarks);
   if (time.kind == TimePlan::Kind::number) {
     time_s = std::move(table.values[time.column]);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
@@ -88,8 +89,17 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
                : !why.empty() && found.role == Role::structure ? why
                : is_length                                     ? "by its unit"
                                                                : found.why;
-  if (column.unit.empty() && column.found_unit.empty() && (stated.unit.empty() || pattern_gives_way))
+  if (column.unit.empty() && column.found_unit.empty() && (stated.unit.empty() || pattern_gives_way)) {
     column.unit = found.unit;
+    if (column.unit == "mm") {
+      const Extremes range = extremes_of(values);
+      log.remarks.push_back(fmt::format(
+          "{0} states no unit and goes from {1:g} to {2:g}: read as mm. State --unit '{0}=um' if it is in um.",
+          column.source, range.least, range.most));
+      column.found_unit = std::exchange(column.unit, "um");
+      for (double& value : values) value *= 1e3;
+    }
+  }
   if (!stated.name.empty()) {
     column.name = column_name(stated.name.ends_with("_" + column.unit) && !column.unit.empty()
                                   ? std::string_view(stated.name).substr(0, stated.name.size() - column.unit.size() - 1)

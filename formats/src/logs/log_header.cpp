@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "ballbar/internal/nearest_name.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
@@ -103,7 +104,14 @@ bool is_empty_unit(std::string_view text) {
   return text.empty() || text == "-" || text == "[-]" || text == "()" || text == "[]";
 }
 
-// A row in which what is written are units; words that are names of columns as well do not make it one.
+// "Bearing [°C]": a name of its own, which the row of names completes.
+bool is_name_with_unit(std::string_view text) {
+  const NameAndUnit both = name_and_unit(text);
+  return !both.name.empty() && log_unit(both.unit);
+}
+
+// A row in which what is written are units, some perhaps behind names; words that are names of columns as well do not
+// make it one.
 bool is_units_row(const Cells& cells) {
   constexpr std::string_view kOthers =
       "ts|rn|hz|khz|mhz|deg|degrees|kg|g|kn|n|knm|digits|counts|samples|unitless|mv v|ustrain|microstrain|strain|w m 2|"
@@ -117,7 +125,7 @@ bool is_units_row(const Cells& cells) {
     const std::string key = folded(text);
     const bool is_known = log_unit(text) || is_one_of(kOthers, key);
     known += is_known;
-    units += is_known || time_unit_s(text) || is_one_of(kNamesToo, key);
+    units += is_known || is_name_with_unit(text) || time_unit_s(text) || is_one_of(kNamesToo, key);
   }
   return known > 0 && units * 10 >= written * 6;
 }
@@ -205,11 +213,13 @@ bool lacks_first_name(const Cells& names, const std::vector<HeadLine>& lines, co
   return rows > 1;
 }
 
-// "23.4 °C"
-bool is_number_with_unit(std::string_view cell) {
+// "23.4 °C", "bearing=23.4"
+bool is_number_with_words(std::string_view cell) {
+  cell.remove_prefix(cell.find('=') + 1);  // none: 0
   const std::size_t last = cell.find_last_of("0123456789");
-  if (last == std::string_view::npos || last + 1 == cell.size()) return false;
-  return look_of(cell.substr(0, last + 1)).kind != NumberLook::Kind::other && log_unit(cell.substr(last + 1));
+  if (last == std::string_view::npos) return false;
+  const std::string_view unit = cell.substr(last + 1);
+  return look_of(cell.substr(0, last + 1)).kind != NumberLook::Kind::other && (unit.empty() || log_unit(unit));
 }
 
 }  // namespace
@@ -219,7 +229,7 @@ bool is_blank(std::string_view line) { return line.find_first_not_of(" \t,;|\"")
 CellKind kind_of(std::string_view cell) {
   cell = trimmed_cell(cell);
   if (cell.empty()) return CellKind::empty;
-  if (look_of(cell).kind != NumberLook::Kind::other || is_number_with_unit(cell)) return CellKind::number;
+  if (look_of(cell).kind != NumberLook::Kind::other || is_number_with_words(cell)) return CellKind::number;
   if (time_stamp(cell, DateOrder::day_first) || clock_of_dots(cell)) return CellKind::stamp;
   return is_missing(cell) || switch_value(cell) ? CellKind::missing : CellKind::word;
 }
@@ -302,6 +312,7 @@ void find_header(const std::vector<HeadLine>& lines, const Cut& cut, bool is_fir
   };
   std::vector<Row> names;
   std::optional<std::size_t> units;
+  bool units_have_names = false;
   const auto split = [&](std::size_t index, std::string& text) {
     text = without_comment_sign(lines[index].text);
     split_header(text, cut, cells);
@@ -321,6 +332,13 @@ void find_header(const std::vector<HeadLine>& lines, const Cut& cut, bool is_fir
     if (has_signs_alone(cells)) continue;
     if (!units && is_units_row(cells)) {
       units = i;
+      units_have_names = std::any_of(cells.begin(), cells.end(),
+                                     [](std::string_view cell) { return is_name_with_unit(trimmed_cell(cell)); });
+    } else if (units_have_names &&
+               (cells.size() != cut.columns || std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
+                  return kind_of(cell) != CellKind::word || is_name_with_unit(trimmed_cell(cell));
+                }))) {
+      break;  // such a row is one of names itself, unless words stand above each
     } else if (const auto evidence = evidence_of_names(cells, cut.columns)) {
       const bool is_comment = lines[i].text.starts_with('#');
       names.push_back({i, *evidence + kFurtherUp * static_cast<double>(rows) + (is_comment ? kCommentSign : 0.0)});
@@ -360,6 +378,10 @@ void find_header(const std::vector<HeadLine>& lines, const Cut& cut, bool is_fir
   };
   take(name, shape.headers, shape.header_line);
   take(units, shape.units, shape.units_line);
+  for (std::size_t i = 0; i < cut.columns; ++i) {
+    if (units == name || !is_name_with_unit(shape.units[i])) continue;
+    shape.headers[i] += " " + std::exchange(shape.units[i], "");
+  }
   const std::size_t top = std::min({cut.first, name.value_or(cut.first), units.value_or(cut.first)});
   shape.preamble.assign(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(top));
 }

@@ -17,6 +17,7 @@
 #include "logs/column_sample.hpp"
 #include "logs/log_cells.hpp"
 #include "logs/log_channels.hpp"
+#include "logs/log_roles.hpp"
 #include "logs/log_units.hpp"
 #include "logs/text_fold.hpp"
 #include "logs/time_finder.hpp"
@@ -138,13 +139,48 @@ bool runs_as_the_time(const std::vector<ColumnSample>& samples, const LogPlan& p
   return runs_as_long(samples[i], *time_unit_s(plan.columns[i].unit), time);
 }
 
+// Two logs side by side: numbers, another time that goes by differently from row to row, and more numbers.
+void expect_one_time(const LogShape& shape, const std::string& name, const std::vector<ColumnSample>& samples,
+                     LogPlan& plan) {
+  const TimePlan& time = plan.time;
+  if (time.kind == TimePlan::Kind::rows) return;
+  const auto is_value = [](const PlannedColumn& column) { return column.kind == ColumnKind::number && column.headed; };
+  const auto step_s = [&](std::size_t i, double unit_s) {
+    const ColumnSample& sample = samples[i];
+    const double all_s = sample.values.size() > 1 ? unit_s * (sample.values.back() - sample.values.front())
+                         : sample.first_s         ? *sample.last_s - *sample.first_s
+                                                  : 0.0;
+    return all_s / static_cast<double>(std::max<std::size_t>(2, sample.written()) - 1);
+  };
+  const double usual_s = step_s(time.column, time.unit_s);
+  for (std::size_t i = time.column + 2; i + 1 < plan.columns.size(); ++i) {
+    PlannedColumn& column = plan.columns[i];
+    const auto unit_s = time_unit_s(column.unit);
+    const bool is_number = samples[i].values.size() > 1 && unit_s && samples[i].rises && is_value(column);
+    const auto at = plan.columns.begin() + static_cast<std::ptrdiff_t>(i);
+    if (column.stated.left_out || !(is_number || column.why == "another time") || !is_value(*(at + 1)) ||
+        std::none_of(plan.columns.begin() + static_cast<std::ptrdiff_t>(time.column) + 1, at, is_value))
+      continue;
+    const double other_s = step_s(i, unit_s.value_or(1.0));
+    if (!(other_s > 0.0 && usual_s > 0.0) || std::abs(other_s / usual_s - 1.0) < 0.02) continue;
+    throw Error(fmt::format(
+        "{}:{}: expected one time for all columns, found another, {}, which goes on by {:.6g} s a row where "
+        "{} goes on by {:.6g} s. Write the columns from there on into a file of their own, or use "
+        "--leave-out {}.",
+        name, shape.first_row_line, in_quotes(column.source), other_s, in_quotes(plan.columns[time.column].source),
+        usual_s, in_quotes(column.source)));
+  }
+}
+
 constexpr std::string_view kInchMark = "\"";
 
-// What stands before and behind the number of each cell: "S" of a programmed speed, "S4800", or the unit of "23.4 °C".
+// What stands before and behind the number of each cell: "S" of a programmed speed, "S4800", the unit of "23.4 °C", or
+// the name of "bearing=23.4".
 std::optional<std::pair<std::string, std::string>> signs_about_numbers(const std::set<std::string>& words) {
   std::optional<std::pair<std::string, std::string>> signs;
   for (const std::string& word : words) {
     const std::string_view cell = trimmed_cell(word);
+    if (switch_value(cell) == 0.0) continue;  // of a speed, "stop"
     const std::size_t begin = cell.find_first_of("0123456789");
     if (begin == std::string_view::npos) return std::nullopt;
     const std::size_t end = std::min(cell.find_first_not_of("0123456789.,", begin), cell.size());
@@ -160,7 +196,8 @@ std::optional<std::pair<std::string, std::string>> signs_about_numbers(const std
   const bool is_speed =
       signs && signs->first == "S" && signs->second.empty() &&
       std::any_of(words.begin(), words.end(), [](const std::string& word) { return trimmed_cell(word).size() > 3; });
-  return is_unit || is_speed ? signs : std::nullopt;
+  const bool is_named = signs && signs->first.ends_with('=');
+  return is_unit || is_speed || is_named ? signs : std::nullopt;
 }
 
 // A column of texts: another time, numbers with a sign in each cell, or words.
@@ -174,7 +211,14 @@ void plan_text(const ColumnSample& sample, PlannedColumn& column) {
   }
   column.kind = ColumnKind::number;
   std::tie(column.before, column.behind) = *signs;
-  if (column.unit.empty())
+  if (column.before.size() > 1 && !column.headed) {
+    column.source = column.before.substr(0, column.before.size() - 1);
+    std::tie(column.name, column.unit) = [](NameAndUnit both) {
+      return std::pair(both.name, both.unit);
+    }(name_and_unit(column.source));
+    column.headed = true;
+  }
+  if (column.unit.empty() && (column.before.size() < 2 || !column.behind.empty()))
     column.unit = column.behind.empty() ? "rpm" : column.behind == kInchMark ? "in" : column.behind;
 }
 
@@ -212,6 +256,8 @@ void plan_values(const std::vector<bool>& is_label, const std::vector<ColumnSamp
     } else {
       column.kind = ColumnKind::number;
     }
+    const auto unit = log_unit(column.unit);
+    column.is_speed = names_a_speed(column.name) || (unit && unit->canonical == "rpm");
   }
 }
 
@@ -298,6 +344,7 @@ LogPlan log_plan(const LogShape& shape, const std::string& name, const LogRecipe
   find_time(shape, name, recipe, samples, plan);
   plan_values(shape.is_label, samples, recipe, plan);
   find_channel_names(shape, samples, plan);
+  expect_one_time(shape, name, samples, plan);
   bool any = false;
   for (std::size_t i = 0; i < plan.columns.size(); ++i)
     any = any || (plan.columns[i].kind == ColumnKind::number && !is_time(plan, i));

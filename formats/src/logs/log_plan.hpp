@@ -42,6 +42,7 @@ struct PlannedColumn {
   bool headed = true;  // has a header
   ColumnKind kind = ColumnKind::left_out;
   bool is_switch = false;        // number: its words for on and off are 1 and 0
+  bool is_speed = false;         // number: a word for off, such as "stop", is 0
   std::string before, behind;    // number: what stands in each cell besides it, "S" or "°C"
   double part_s = 0.0;           // part: its unit
   bool has_ids = false;          // channel: its names are numbers
@@ -59,6 +60,7 @@ struct TimePlan {
   std::optional<double> zero_s;         // number: seconds from 1970 to its zero, where it starts at a date
   double every_s = 0.0;                 // rows
   bool numbered = false;                // rows without a clock
+  std::string likely;                   // numbered: a column that rises in every row
   std::optional<DateOrder> order;       // stamps; empty: not known yet
   bool minutes_and_seconds = false;     // stamps without hours
   bool dotted_clock = false;            // 07.05.00 is a clock

@@ -34,6 +34,8 @@ bool has_few_levels(std::span<const double> values);
 // Whether a name is one of the room: "ambient", "Raumluft".
 bool names_the_room(std::string_view name);
 
+bool names_a_speed(std::string_view name);
+
 inline constexpr double kWarmestRoom_degC = 45.0;  // more is in another unit
 
 // Whether a name is one of a temperature: "T3", "temp 7", "PT100", "TC K", "frame_t".

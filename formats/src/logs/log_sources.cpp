@@ -113,8 +113,23 @@ const nlohmann::json* table_in(const nlohmann::json& value, int depth, std::stri
   return nullptr;
 }
 
+// One object a line, as databases and brokers write them, as one array; anything else as it is.
+std::string as_array(std::string_view bytes) {
+  std::string text;
+  std::size_t rows = 0;
+  for (std::size_t begin = 0; begin < bytes.size();) {
+    const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
+    const std::string_view line = trimmed(bytes.substr(begin, end - begin), " \t\r");
+    begin = end + 1;
+    if (line.empty()) continue;
+    if (!line.starts_with('{') || !line.ends_with('}')) return std::string(bytes);
+    text += (rows++ == 0 ? "[" : ",\n") + std::string(line);
+  }
+  return rows > 1 ? text + "]" : std::string(bytes);
+}
+
 TableText json_table(std::string_view bytes, const std::string& name) {
-  const JsonSource source = parse_json(bytes, name);
+  const JsonSource source = parse_json(as_array(bytes), name);
   std::string path;
   const nlohmann::json* const table = table_in(source.root, 2, path);
   if (table == nullptr) {

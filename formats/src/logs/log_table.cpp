@@ -144,9 +144,20 @@ class Table {
     throw Error(fmt::format("{} This affects {} of {} rows. Use --skip-bad-rows to omit them.", fault, bad, all));
   }
 
+  // Words without a digit where a number is expected, in more than one row each, if rows were lost to nothing else.
+  [[nodiscard]] std::vector<std::string> repeated_words() const {
+    std::vector<std::string> words;
+    std::size_t rows = 0;
+    for (const auto& [word, count] : bad_words_) {
+      if (count < 2) return {};
+      rows += count;
+      words.push_back(word);
+    }
+    return rows == table_.bad_lines.size() ? words : std::vector<std::string>{};
+  }
+
   LogTable table_;
   OrderEvidence evidence_;
-  bool open_order_ = false;
   std::size_t first_either_line_ = 0;
   std::string first_either_;
 
@@ -248,8 +259,8 @@ class Table {
         } else {
           const std::string_view cell = cell_at(at, end);
           row_[column] = kGap;
-          const auto on = plan_.columns[column].is_switch ? switch_value(cell) : std::nullopt;
-          if (on) {
+          const auto on = switch_value(cell);
+          if (on && (plan_.columns[column].is_switch || (plan_.columns[column].is_speed && *on == 0.0))) {
             row_[column] = *on;
             ++numbers;
           } else if (!is_missing(cell, recipe_.missing)) {
@@ -320,6 +331,8 @@ class Table {
     pending_.clear();
     if (bad || (more && !is_remark(rest))) restore(before);
     if (bad) {
+      const std::string_view word = trimmed_cell(bad_cell);
+      if (std::none_of(word.begin(), word.end(), is_digit)) ++bad_words_[std::string(word)];
       return skip(fmt::format("expected a number for {}, found {}. Use --missing to read such a text as a gap.",
                               in_quotes(plan_.columns[*bad].source), in_quotes(trimmed_cell(bad_cell))),
                   line);
@@ -409,6 +422,7 @@ class Table {
 
   // The date and the clock of the row, as far as they are texts.
   std::optional<TimeStamp> stamp_of_row(DateOrder order, const std::optional<std::string>& with_colons) {
+    if (date_.empty() && !clock_.empty() && last_day_) return TimeStamp{};  // the date of the row above
     if (has_calendar_) {
       const double year = calendar_[0] < 100.0 ? 2000.0 + calendar_[0] : calendar_[0];
       calendar_date_ = fmt::format("{:04.0f}-{:02.0f}-{:02.0f}", year, calendar_[1], calendar_[2]);
@@ -472,8 +486,14 @@ class Table {
     }
     clock_s += parts_s_;
     table_.zoned = table_.zoned || stamp->zone_s.has_value();
+    const bool is_dated = stamp->day.has_value();
+    if (!is_dated && last_day_) {  // the date stands in the first row of a day alone
+      const double before_s = table_.time_s.back(),
+                   day_s = static_cast<double>(*last_day_ - *table_.first_day) * kDay_s;
+      stamp->day = *last_day_ + (day_s + clock_s < before_s - 0.5 * kDay_s ? 1 : 0);
+    }
     if (stamp->day) {
-      if (!plan_.time.order) {
+      if (!plan_.time.order && is_dated) {
         evidence_.look_at(date_, *stamp);
         if (stamp->either_order && first_either_.empty()) {
           first_either_ = std::string(date_);
@@ -512,9 +532,10 @@ class Table {
   std::vector<double> row_;
   std::size_t number_columns_ = 0;
   std::string first_fault_, first_cut_;
-  std::vector<std::size_t> pending_;   // lines without numbers since the last row
-  std::vector<std::size_t> decimals_;  // of each column, the fewest
-  std::string_view last_cell_;         // of the row
+  std::map<std::string, std::size_t> bad_words_;  // rows by the word that stands for a number
+  std::vector<std::size_t> pending_;              // lines without numbers since the last row
+  std::vector<std::size_t> decimals_;             // of each column, the fewest
+  std::string_view last_cell_;                    // of the row
   std::string_view date_, clock_, half_day_, channel_;
   std::string in_half_day_;  // the clock with the half of the day behind it
   bool has_hours_ = false, has_calendar_ = false;
@@ -531,7 +552,6 @@ class Table {
 }  // namespace
 
 std::size_t LogTable::line_of(std::size_t row) const {
-  if (newest_first) row = rows - 1 - row;
   const auto after =
       std::upper_bound(lines.begin(), lines.end(), row, [](std::size_t r, const auto& one) { return r < one.first; });
   if (after == lines.begin()) return 0;
@@ -539,40 +559,42 @@ std::size_t LogTable::line_of(std::size_t row) const {
   return at.second + (row - at.first);
 }
 
-void erase_rows(std::size_t begin, std::size_t end, LogTable& table) {
+void keep_rows(const std::vector<std::size_t>& rows, LogTable& table) {
   std::vector<std::pair<std::size_t, std::size_t>> lines;
-  for (std::size_t row = 0, before = 0; row < table.rows; ++row) {
-    if (row >= begin && row < end) continue;
-    const std::size_t line = table.line_of(row), now = row < begin ? row : row - (end - begin);
+  std::size_t before = 0;
+  for (std::size_t now = 0; now < rows.size(); ++now) {
+    const std::size_t line = table.line_of(rows[now]);
     if (now == 0 || line != before + 1) lines.emplace_back(now, line);
     before = line;
   }
-  const auto erase = [&](auto& values) {
-    if (values.size() == table.rows)
-      values.erase(values.begin() + static_cast<std::ptrdiff_t>(begin),
-                   values.begin() + static_cast<std::ptrdiff_t>(end));
+  const auto keep = [&](auto& values) {
+    if (values.size() != table.rows) return;
+    auto kept = values;
+    kept.resize(rows.size());
+    std::transform(rows.begin(), rows.end(), kept.begin(), [&](std::size_t row) { return values[row]; });
+    values = std::move(kept);
   };
-  for (std::vector<double>& values : table.values) erase(values);
-  erase(table.time_s);
-  erase(table.channel_of);
+  for (std::vector<double>& values : table.values) keep(values);
+  keep(table.time_s);
+  keep(table.channel_of);
   table.lines = std::move(lines);
-  table.rows -= end - begin;
+  table.rows = rows.size();
 }
 
-void put_oldest_first(LogTable& table) {
-  for (std::vector<double>& values : table.values) std::reverse(values.begin(), values.end());
-  std::reverse(table.time_s.begin(), table.time_s.end());
-  std::reverse(table.channel_of.begin(), table.channel_of.end());
-  table.newest_first = true;
-}
-
-LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, const LogRecipe& recipe) {
+LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, const LogRecipe& given) {
   const std::string& name = source.name();
   const std::size_t text_bytes = source.size() / (shape.encoding.name.starts_with("UTF-16") ? 2 : 1);
   const std::size_t rows = text_bytes / shape.bytes_a_row + text_bytes / shape.bytes_a_row / 32 + 16;
+  LogRecipe recipe = given;
   for (;;) {
     Table table(shape, plan, name, recipe, rows);
     table.read(source);
+    table.table_.gap_words.assign(recipe.missing.begin() + static_cast<std::ptrdiff_t>(given.missing.size()),
+                                  recipe.missing.end());
+    if (const std::vector<std::string> words = table.repeated_words(); !words.empty()) {
+      recipe.missing.insert(recipe.missing.end(), words.begin(), words.end());
+      continue;
+    }
     if (plan.time.order || plan.time.kind != TimePlan::Kind::stamps) return table.taken();
     plan.time.order = table.evidence_.order();
     if (!plan.time.order) {

@@ -33,18 +33,15 @@ struct LogTable {
   std::vector<std::size_t> cut_lines;     // lines that end within a number, which becomes a gap
   std::vector<std::string> channels;      // below each other, in the order of the file
   std::vector<std::uint32_t> channel_of;  // one a row
-  bool newest_first = false;              // in the file: the rows are in the reverse order here
+  std::vector<std::string> gap_words;     // words that stand again and again where a number is expected: gaps
   std::size_t without_row = 0;            // lines between the first and the last row that are not rows
   std::size_t before_clock = 0;           // rows that were written before the clock was set; they are left out
 
   [[nodiscard]] std::size_t line_of(std::size_t row) const;
 };
 
-// Leaves out rows [begin, end).
-void erase_rows(std::size_t begin, std::size_t end, LogTable& table);
-
-// Reverses the rows of a file that has its newest row first.
-void put_oldest_first(LogTable& table);
+// Keeps these rows, in this order.
+void keep_rows(const std::vector<std::size_t>& rows, LogTable& table);
 
 // Skips rows with a cell that is not a number, or with too many cells: up to two plus one in a hundred, or all with the
 // recipe's option. Throws Error with name:line if there are more, or if dates are ambiguous.

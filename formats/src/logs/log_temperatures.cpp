@@ -187,6 +187,40 @@ void take_fahrenheit(LogPlan& plan, const std::vector<std::vector<double>>& valu
   }
 }
 
+std::string take_scale(LogPlan& plan, const std::vector<std::vector<double>>& values) {
+  constexpr double kColdest_degF = 59.0, kWarmest_degF = 100.0, kAlike_degF = 1.8 * kBeside_K;
+  constexpr double kColdest_K = 268.0, kWarmest_K = 340.0;
+  std::vector<std::size_t> columns;
+  std::vector<std::string_view> names;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  bool has_room = false;
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    const PlannedColumn& column = plan.columns[i];
+    if (is_degrees(column.unit)) return {};
+    const double first = first_of(values[i]);
+    if (column.kind != ColumnKind::number || is_time(plan, i) || !column.headed || !column.unit.empty() ||
+        is_no_temperature(column.stated) || (!column.stated.unit.empty() && !column.unit_by_pattern) ||
+        !(says_temperature(column.name) || names_a_part(column.name)) || names_another_quantity(column.name) ||
+        has_few_levels(values[i]) || std::isnan(first))
+      continue;
+    columns.push_back(i);
+    names.emplace_back(column.source);
+    low = std::min(low, first);
+    high = std::max(high, first);
+    has_room = has_room || names_the_room(column.name);
+  }
+  if (columns.size() < 2) return {};
+  const bool are_K = low >= kColdest_K && high <= kWarmest_K;
+  // Without a room a machine may be as warm in degC, but not all of it alike.
+  const bool are_degF = low > kWarmestRoom_degC && high <= kWarmest_degF &&
+                        (has_room || (low >= kColdest_degF && high - low <= kAlike_degF));
+  if (!are_K && !are_degF) return {};
+  const std::string_view unit = are_K ? "K" : "degF";
+  for (const std::size_t i : columns) plan.columns[i].unit = unit;
+  return fmt::format("{} state no unit and begin at {:g} to {:g}: read as {}. State --unit '{}=degC' if they are not.",
+                     fmt::join(names, ", "), low, high, unit, names.front());
+}
+
 std::vector<TemperatureFamily> temperatures_among(const LogPlan& plan, const std::vector<std::vector<double>>& values) {
   std::map<std::string, std::vector<std::size_t>> stems;
   const bool nameless =

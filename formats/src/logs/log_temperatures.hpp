@@ -30,4 +30,8 @@ std::optional<LogUnit> temperature_unit(const PlannedColumn& column);
 // temperatures beside one in degrees Fahrenheit.
 void take_fahrenheit(LogPlan& plan, const std::vector<std::vector<double>>& values);
 
+// One scale for all temperatures that state no unit: degF or K where they begin at a room's temperature in that scale
+// alone. Returns what is assumed; empty: degC, or the values do not tell.
+std::string take_scale(LogPlan& plan, const std::vector<std::vector<double>>& values);
+
 }  // namespace ballbar

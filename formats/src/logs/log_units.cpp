@@ -85,7 +85,7 @@ constexpr KnownTime kTimes[] = {
     {"ns|nsec", 1e-9},
     {"min|mins|minute|minutes|minuten|minuti|minutos|分|分钟", 60.0},
     {"h|hr|hrs|hour|hours|std|stunde|stunden|heures|horas|ore|小时|時間", 3600.0},
-    {"d|day|days|tag|tage|jours|giorni|dias", 86400.0},
+    {"d|day|days|tag|tage|jours|giorni|dias|天", 86400.0},
 };
 
 // Line ends too: a cell in quotes may hold them.
@@ -231,9 +231,10 @@ NameAndUnit name_and_unit(std::string_view header) {
     const std::size_t at = first ? ascii.find(between) : ascii.rfind(between);
     if (at == std::string::npos || at == 0) continue;
     const std::string_view end = bare(std::string_view(ascii).substr(at + between.size()));
-    const bool one_letter = end.size() == 1 && end != "%";
-    if (!is_unit_of(std::string_view(ascii).substr(0, at), end) ||
-        (one_letter && (between == " " || between == " - " || between == ".")) || (between == " " && end == "in"))
+    const std::string_view before = std::string_view(ascii).substr(0, at);
+    const bool one_letter = end.size() == 1 && end != "%" && !(time_unit_s(end) && is_time_name(before));  // "time s"
+    if (!is_unit_of(before, end) || (one_letter && (between == " " || between == " - " || between == ".")) ||
+        (between == " " && end == "in"))
       continue;
     const std::string_view name = bare(std::string_view(ascii).substr(0, at));
     if (const auto scaled = with_scale(name, end)) return *scaled;

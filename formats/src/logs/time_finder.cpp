@@ -315,6 +315,10 @@ class TimeFinder {
     plan_.time.every_s = 1.0;
     plan_.time.numbered = true;
     plan_.time.text = "none: the rows are numbered";
+    if (recipe_.time == kNoTime || plan_.columns.size() < 2 || plan_.columns.front().headed) return;
+    const ColumnSample& first = samples_.front();
+    if (first.mostly(first.numbers) && first.rises && first.ever_rises && !counts_rows(first, true))
+      plan_.time.likely = plan_.columns.front().source;
   }
 
   void of_column(std::size_t i) {

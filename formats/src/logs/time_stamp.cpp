@@ -330,37 +330,59 @@ void skip_weekday(Cursor& cursor) {
   cursor = ahead;
 }
 
-// A time since a start: "0.5 sec", "12 min", "0 days 00:00:30", "1.02:30:00".
+// Days and a clock, without a word between: "1-05:30", "1.02:30:00", "1T05:30", "1:02:30:00", "000 02:30:00". Where
+// four fields of two digits stand, the last is a fraction.
+bool take_days_and_clock(Cursor cursor, TimeStamp& stamp) {
+  const auto days = cursor.number(1, 5);
+  if (!days) return false;
+  const bool may_be_hours = cursor.digits() == 2;
+  const char sign = cursor.take_any(".-T: ");
+  const std::string_view clock = cursor.rest();
+  const bool needs_seconds = sign == ' ' || sign == ':';
+  if (sign == '\0' || clock.find(':') > 2 || (needs_seconds && std::count(clock.begin(), clock.end(), ':') != 2) ||
+      (sign == ':' && may_be_hours) || !take_clock(cursor, stamp) || !cursor.at_end())
+    return false;
+  stamp.clock_s = *stamp.clock_s + kDay_s * static_cast<double>(*days);
+  return true;
+}
+
+// A time since a start: "0.5 sec", "1h 30min", "1d 05:30", "0 days 00:00:30", "P1DT5H30M", and as above.
 std::optional<TimeStamp> elapsed_time(std::string_view text) {
   TimeStamp stamp;
-  stamp.elapsed = true;
+  const bool is_iso = text.starts_with('P') && text.find('T') != std::string_view::npos;
   Cursor cursor(text);
-  const auto days = cursor.number(1, 5);
-  if (!days) return std::nullopt;
-  const bool point = cursor.take(".");
-  Cursor spaced = cursor;
-  spaced.skip_blanks();
-  const bool named = !point && (spaced.take("days") || spaced.take("day"));
-  if (named) {
-    cursor = spaced;
-    cursor.skip_blanks();
+  if (!is_iso || !cursor.take("P")) cursor.take("+");
+  double sum_s = 0.0, last_unit_s = 0.0;
+  if (!take_days_and_clock(cursor, stamp)) {
+    while (!cursor.at_end()) {
+      if (is_iso) cursor.take("T");
+      if (last_unit_s == kDay_s && cursor.rest().find(':') != std::string_view::npos) {
+        if (!take_clock(cursor, stamp) || !cursor.at_end()) return std::nullopt;
+        break;
+      }
+      const std::string_view rest = cursor.rest();
+      double value = 0.0;
+      const std::size_t end = std::min(rest.find_first_not_of("0123456789."), rest.size());
+      if (std::from_chars(rest.data(), rest.data() + end, value).ptr != rest.data() + end || end == 0)
+        return std::nullopt;
+      cursor = Cursor(rest.substr(end));
+      cursor.skip_blanks();
+      const bool is_small = cursor.peek() < 'A' || cursor.peek() > 'Z';
+      const std::string_view unit = is_iso ? cursor.rest().substr(0, 1) : cursor.word();
+      if (is_iso) cursor.take(unit);
+      cursor.skip_blanks();
+      // 5 m is a length, 10 S a conductance.
+      const bool is_minutes = small(unit) == "m" && (last_unit_s > 0.0 || !cursor.at_end());
+      const auto unit_s = is_minutes ? std::optional(60.0) : time_unit_s(unit);
+      if (unit.empty() || !unit_s || !(is_small || is_iso || unit.size() > 2)) return std::nullopt;
+      sum_s += value * *unit_s;
+      last_unit_s = *unit_s;
+    }
+    if (last_unit_s == 0.0) return std::nullopt;
   }
-  if ((point && cursor.rest().size() > 2 && cursor.rest()[2] == ':') || (named && !cursor.at_end())) {
-    if (!take_clock(cursor, stamp) || !cursor.at_end()) return std::nullopt;
-    stamp.clock_s = *stamp.clock_s + 86400.0 * static_cast<double>(*days);
-    return stamp;
-  }
-  const std::size_t end = text.find_first_not_of("0123456789.");
-  if (end == 0 || end == std::string_view::npos) return std::nullopt;
-  double value = 0.0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + end, value);
-  if (error != std::errc{} || rest != text.data() + end) return std::nullopt;
-  std::string_view unit = text.substr(end);
-  while (unit.starts_with(' ')) unit.remove_prefix(1);
-  const bool letters = !unit.empty() && unit.front() >= 'a' && unit.front() <= 'z';
-  const auto unit_s = letters ? time_unit_s(unit) : std::nullopt;
-  if (!unit_s) return std::nullopt;
-  stamp.clock_s = value * *unit_s;
+  stamp.clock_s = sum_s + stamp.clock_s.value_or(0.0);
+  stamp.elapsed = true;
+  stamp.two_fields = false;
   return stamp;
 }
 

@@ -22,14 +22,14 @@ struct TimeStamp {
   bool day_first_only = false;       // 22/11/2026
   bool minutes_and_seconds = false;  // 05:10.3
   bool two_fields = false;           // 05:10
-  bool elapsed = false;              // 0 days 00:00:30, 0.5 sec, 26:15:00
+  bool elapsed = false;              // 1d 00:00:30, 0.5 sec, 26:15:00
   bool lacks_year = false;           // 03-04 08:15; the day is of 2001
 };
 
 // 2026-11-22T13:05:10.5+01:00, 22.11.2026 13:05:10,5, 11/22/2026 1:05:10 PM, 22-Nov-2026 13:05, 20261122 130510,
-// 261122-130510, 2026年11月22日 13时05分10秒, 13:05:10.123, 13:05:10:123, 26:15:00, 05:10.3 ...; before a clock the
-// year may lack: 22.11. 13:05, Nov 22 13:05. nullopt for all else. A year of two digits is of 1970 to 2069. Dots: the
-// day is first. `order` tells 03/04/2026.
+// 261122-130510, 2026年11月22日 13时05分10秒, 13:05:10.123, 13:05:10:123, 26:15:00, 1-05:30, PT5H30M, 05:10.3 ...;
+// before a clock the year may lack: 22.11. 13:05, Nov 22 13:05. nullopt for all else. A year of two digits is of 1970
+// to 2069. Dots: the day is first. `order` tells 03/04/2026.
 std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order);
 
 // AM, p.m.: beside a clock.
