@@ -181,7 +181,8 @@ std::string without_comment_sign(std::string_view line) {
   return std::string(is_comment && first != std::string_view::npos ? line.substr(first) : line);
 }
 
-// Names may hold single blanks where columns are parted by several.
+// Names may hold single blanks where columns are parted by several, or where each ends in a bracket: "Time [s] Bearing
+// temp [C]".
 void split_header(std::string_view line, const Cut& cut, Cells& cells) {
   split_cells(line, cut.delimiter, cells);
   if (cut.delimiter != ' ' || cells.size() == cut.columns) return;
@@ -193,6 +194,12 @@ void split_header(std::string_view line, const Cut& cut, Cells& cells) {
     at = line.find_first_not_of(" \t", end);
   }
   if (wide.size() == cut.columns) cells = wide;
+  wide.clear();
+  for (std::size_t begin = 0, end = 0; begin < line.size(); begin = end) {
+    end = std::min(line.find_first_of("])", begin), line.size() - 1) + 1;
+    wide.push_back(trimmed_cell(line.substr(begin, end - begin)));
+  }
+  if (wide.size() == cut.columns && !line.empty() && cells.size() != cut.columns) cells = wide;
 }
 
 // Whether these names are one fewer than the columns because the first column, of row names in quotes or of rows

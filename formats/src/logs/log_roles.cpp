@@ -22,7 +22,7 @@ constexpr double kFarFromZero_um = 20000.0;
 // Folded. Of five letters and more anywhere in a name, since German joins words; shorter ones as words alone.
 constexpr std::string_view kSpeed =
     "speed|drehzahl|rpm|vitesse|rotation|regime|velocita|giri|velocidad|umdrehung|转速|回転数|速度|n ist|n soll|"
-    "s actual|nist|nsoll|spindle s|revs";
+    "s actual|nist|nsoll|spindle s|revs|борот|корость";
 constexpr std::string_view kLoad =
     "load|last|auslastung|spindellast|belastung|charge|carico|carga|power|leistung|puissance|potenza|potencia|"
     "torque|moment|couple|coppia|par|current|strom|courant|corrente|corriente|负载|负荷|負荷|功率|电流|電流|扭矩|"
@@ -30,24 +30,26 @@ constexpr std::string_view kLoad =
 constexpr std::string_view kAmbient =
     "ambient|amb|raumluft|umg|room|umgebung|raum|raumtemperatur|hall|halle|ambiant|ambiante|salle|ambiente|sala|"
     "stanza|air|luft|aria|aire|atelier|officina|taller|环境|室温|室内|車間|车间|雰囲気|外気|気温|空气|environment|"
+    "оздух|"
     "umgebungstemperatur|shop|werkstatt|周围|周囲";
 constexpr std::string_view kCoolant =
     "coolant|cooling|kuhlmittel|kuhlwasser|kss|refrigerant|refroidissement|fluide|liquide|lubrorefrigerante|"
     "refrigerante|chiller|kuhlung|kuhler|vorlauf|rucklauf|oil|oel|ol|olio|aceite|huile|冷却|冷却液|冷卻|クーラント|"
     "冷却水|冷却油|油温|切削液|kuehlmittel|raffreddamento|kuhlschmierstoff|taladrina|emulsion|lubrificante|冷媒";
 constexpr std::string_view kBearing =
-    "bearing|lager|palier|roulement|cuscinetto|cuscinetti|rodamiento|cojinete|轴承|ベアリング|軸受|vorderlager|"
+    "bearing|lager|одшипник|palier|roulement|cuscinetto|cuscinetti|rodamiento|cojinete|轴承|ベアリング|軸受|"
+    "vorderlager|"
     "hinterlager|festlager|loslager";
 constexpr std::string_view kHousing =
     "housing|gehause|spindelgehause|carter|carcasa|alloggiamento|carcassa|壳体|主轴箱|ハウジング|spindelkasten|"
     "gehaeuse|boitier|机壳|主軸台";
 constexpr std::string_view kMeasured =
-    "probe|taster|sensor x|verlagerung|verschiebung|weg|drift|deplacement|palpeur|spostamento|sonda|tastatore|"
+    "probe|taster|мещени|sensor x|verlagerung|verschiebung|weg|drift|deplacement|palpeur|spostamento|sonda|tastatore|"
     "desplazamiento|error|abweichung|位移|変位|palpador|capteur|测头|プローブ|误差|gap|abstand|tir|gauge|delta l|"
     "deviation|ecart|wegsensor|elongation|längung|laengung|err|fehler|disp|displ|dilatation|dehnung|growth|dl|"
     "verformung|lvdt|length|deformation|伸长|变形|伸び|偏差|erreur|desviacion";
 constexpr std::string_view kTemperature =
-    "temp|temperatur|tmp|thermo|termocoppia|termopar|pt|pt100|tc|rtd|ntc|thermistor|温|热电偶";
+    "temp|temperatur|емператур|tmp|thermo|termocoppia|termopar|pt|pt100|tc|rtd|ntc|thermistor|温|热电偶";
 // Parts that the roles above do not name.
 constexpr std::string_view kSpindle = "spindle|spindel|mandrino|husillo|broche|主轴|主軸|スピンドル";
 constexpr std::string_view kStructure =
@@ -82,17 +84,6 @@ bool says(const std::string& key, std::string_view words) {
     }
     return false;
   });
-}
-
-// Folded, and parted where a capital follows a small letter: "GVL.rTempBed" -> "gvl r temp bed".
-std::string key_of(std::string_view name) {
-  std::string parted;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const bool capital = name[i] >= 'A' && name[i] <= 'Z';
-    if (capital && i > 0 && name[i - 1] >= 'a' && name[i - 1] <= 'z') parted += ' ';
-    parted += name[i];
-  }
-  return folded(parted);
 }
 
 // Whether a word of the name is one of these, or so near that it is one misspelled: a letter, of eight and more two. It
@@ -230,39 +221,39 @@ bool has_few_levels(std::span<const double> values) {
   return levels.size() > 1 && rows >= kRowsOfALevel * levels.size() && largest_step > kWholeDegree;
 }
 
-bool names_the_room(std::string_view name) { return nearly_says(key_of(name), kAmbient); }
+bool names_the_room(std::string_view name) { return nearly_says(parted(name), kAmbient); }
 
 bool names_a_speed(std::string_view name) {
-  const std::string key = key_of(name);
+  const std::string key = parted(name);
   return says(key, kSpeed) && !says(key, kLoad);
 }
 
 bool could_be_measured(std::string_view name) {
   constexpr std::string_view kWords = "x|y|z|pos|position|steps|counts|count|probe";
-  const std::string key = key_of(name);
+  const std::string key = parted(name);
   return says(key, kWords) && !says(key, kSetPoint);
 }
 
 bool says_temperature(std::string_view name) {
-  const std::string key = key_of(name);
+  const std::string key = parted(name);
   return says(key, kTemperature) || has_letter_t(key);
 }
 
-bool names_a_part(std::string_view name) { return role_of_part(key_of(name)).has_value(); }
+bool names_a_part(std::string_view name) { return role_of_part(parted(name)).has_value(); }
 
 bool names_an_axis(std::string_view name) {
-  const std::string key = key_of(name);
+  const std::string key = parted(name);
   return key.size() == 1 && key[0] >= 'x' && key[0] <= 'z';
 }
 
 bool names_another_quantity(std::string_view name) {
-  const std::string key = key_of(name);
+  const std::string key = parted(name);
   return says(key, kOtherPercent) || says(key, kOtherQuantity) || says(key, kSpeed) || says(key, kLoad) ||
          says(key, kMeasured) || names_a_probe(key);
 }
 
 FoundRole found_role(std::string_view name, std::string_view unit, std::span<const double> values) {
-  const std::string key = key_of(name);
+  const std::string key = parted(name);
   if (unit == "degC" || unit == "K") return temperature_role(key);
   if (unit == "rpm") return {Role::speed, "by its unit", ""};
   if (unit == "A" || unit == "W" || unit == "Nm") return {Role::load, "by its unit", ""};

@@ -25,9 +25,11 @@ struct Known {
 
 constexpr Known kUnits[] = {
     // lengths
-    {"um|mum|micron|microns|micrometer|micrometre|micrometers|mikrometer|微米|ミクロン", {"um"}},
+    {"um|mum|micron|microns|micrometer|micrometre|micrometers|mikrometer|mikron|mic|micron(s)|micro "
+     "m|mkm|мкм|?m|\ufffdm|微米|ミクロン",
+     {"um"}},
     {"nm", {"um", 1e-3}},
-    {"mm|millimeter|millimeters|millimetre|millimetres|毫米", {"um", 1e3}},
+    {"mm|millimeter|millimeters|millimetre|millimetres|мм|毫米", {"um", 1e3}},
     {"in|inch|inches|zoll", {"um", kInch_um}},
     {"uin|microinch", {"um", kInch_um * 1e-6}},
     {"mil|thou", {"um", kInch_um * 1e-3}},
@@ -36,12 +38,13 @@ constexpr Known kUnits[] = {
     {"urad|um/m", {"urad"}},
     {"mrad", {"urad", 1e3}},
     // temperatures
-    {"degc|deg c|grad c|c|celsius|degcelsius|deg celsius|grad celsius|摄氏度|度", {"degC"}},
+    {"degc|deg c|grad c|c|celsius|degcelsius|deg celsius|grad celsius|degС|?c|\ufffdc|摄氏度|度", {"degC"}},
     {"degf|deg f|f|fahrenheit", {"degC", 5.0 / 9.0, -32.0 * 5.0 / 9.0}},
     {"k|kelvin|degk", {"K"}},
     {"mk", {"K", 1e-3}},
     // speeds of a spindle
-    {"rpm|r/min|rev/min|revs/min|1/min|/min|min-1|min^-1|min**-1|u/min|upm|umdr/min|tr/min|tours/min|giri/min|g/min|转/"
+    {"rpm|r/min|rev/min|revs/min|1/min|/min|min-1|min^-1|min**-1|u/min|upm|umdr/min|tr/min|tours/min|giri/min|g/min|об/"
+     "мин|revolutions per minute|转/"
      "分|转/分钟|r/分|回転/分",
      {"rpm"}},
     {"rev/s|1/s", {"rpm", 60.0}},
@@ -79,12 +82,12 @@ struct KnownTime {
 };
 
 constexpr KnownTime kTimes[] = {
-    {"s|sec|secs|second|seconds|sek|sekunden|sekunde|secondes|segundos|secondi|秒", 1.0},
+    {"s|sec|secs|second|seconds|sek|sekunden|sekunde|secondes|segundos|secondi|с|сек|秒", 1.0},
     {"ms|msec|millis|milliseconds|毫秒|ミリ秒", 1e-3},
     {"us|usec", 1e-6},
     {"ns|nsec", 1e-9},
-    {"min|mins|minute|minutes|minuten|minuti|minutos|分|分钟", 60.0},
-    {"h|hr|hrs|hour|hours|std|stunde|stunden|heures|horas|ore|小时|時間", 3600.0},
+    {"min|mins|minute|minutes|minuten|minuti|minutos|мин|分|分钟", 60.0},
+    {"h|hr|hrs|hour|hours|std|stunde|stunden|heures|horas|ore|ч|час|小时|時間", 3600.0},
     {"d|day|days|tag|tage|jours|giorni|dias|天", 86400.0},
 };
 
@@ -119,6 +122,23 @@ std::optional<NameAndUnit> with_scale(std::string_view name, std::string_view un
   return NameAndUnit{std::string(bare(name.substr(0, at))), std::move(both)};
 }
 
+// "timeSec", "seconds_elapsed", "Sekunden seit Start": a word for time, and one for its unit.
+std::optional<NameAndUnit> with_worded_time(std::string_view header) {
+  constexpr std::string_view kWords = "time|zeit|elapsed|since|seit|uptime|ticks|timestamp|duration|dauer|depuis|desde";
+  bool is_time = false;
+  std::optional<std::string> unit;
+  const std::string key = parted(header);
+  for (std::size_t at = 0; at < key.size();) {
+    const std::size_t end = std::min(key.find(' ', at), key.size());
+    const std::string_view word = std::string_view(key).substr(at, end - at);
+    at = end + 1;
+    is_time = is_time || is_one_of(kWords, word);
+    if (word.size() > 1 && time_unit_s(word)) unit = word;
+  }
+  if (key.ends_with(" s")) unit = "s";
+  return is_time && unit ? std::optional(NameAndUnit{std::string(header), *unit}) : std::nullopt;
+}
+
 // "Temp 1 [°C]", also with a bracket that is not known as a unit: "Temp 1 [avg]" keeps it in the name.
 std::optional<NameAndUnit> with_brackets(std::string_view header) {
   for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}, std::pair{'{', '}'}}) {
@@ -140,6 +160,7 @@ std::optional<NameAndUnit> with_brackets(std::string_view header) {
 
 std::optional<LogUnit> log_unit(std::string_view text) {
   text = without_brackets(text);
+  if (text == "µ" || text == "μ") return LogUnit{"um"};    // U, folded the same, is a phase
   if (text == "Nm" || text == "NM") return LogUnit{"Nm"};  // nm is a length, Nm a torque
   if (text == "MPa") return LogUnit{"bar", 10.0};
   if (text == "mPa") return std::nullopt;
@@ -208,7 +229,7 @@ bool is_time_name(std::string_view name) {
       "datum|fecha|data|x value|elapsed time|time stamp|horodatage|messzeit|laufzeit|zeitpunkt|date et heure|"
       "data e ora|fecha y hora|date heure|data ora|fecha hora|datum zeit|datum uhrzeit|时间|日期|日期时间|時間|"
       "時刻|日時|日付|经过时间|経過時間|测量时间|采样时间|time of day|epoch|unix time|timestamp utc|clock|"
-      "zeitachse|relative time|time elapsed|duration|dauer|采集时间|日期 时间|日付 時刻|millis|micros";
+      "zeitachse|relative time|time elapsed|duration|dauer|采集时间|время|Время|日期 时间|日付 時刻|millis|micros";
   const std::string key = folded(name);
   return is_one_of(kNames, key);
 }
@@ -240,7 +261,14 @@ NameAndUnit name_and_unit(std::string_view header) {
     if (const auto scaled = with_scale(name, end)) return *scaled;
     return {std::string(name), std::string(end)};
   }
-  return {ascii, {}};
+  if (const auto time = with_worded_time(ascii)) return *time;
+  // "Temp, °C (LBL: Bearing)"
+  const std::size_t bracket = ascii.ends_with(')') ? ascii.rfind('(') : 0;
+  if (bracket == 0 || bracket == std::string::npos) return {ascii, {}};
+  NameAndUnit both = name_and_unit(std::string_view(ascii).substr(0, bracket));
+  if (both.unit.empty()) return {ascii, {}};
+  both.name += " " + ascii.substr(bracket);
+  return both;
 }
 
 }  // namespace ballbar

@@ -86,4 +86,13 @@ std::string folded(std::string_view text) {
   return out;
 }
 
+std::string parted(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    if (c >= 'A' && c <= 'Z' && !text.empty() && text.back() >= 'a' && text.back() <= 'z') text += ' ';
+    text += c;
+  }
+  return folded(text);
+}
+
 }  // namespace ballbar

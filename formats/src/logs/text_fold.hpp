@@ -17,7 +17,10 @@ std::string small(std::string_view text);
 // forms and unbreakable blanks become what a keyboard has (blank, u, ASCII, blank); letters of other scripts stay.
 std::string folded(std::string_view text);
 
-// The same but signs stay: "°C" -> "degc", "µm/min" -> "um/min", "min⁻¹" -> "min^-1". For units.
+// Folded, and parted where a capital follows a small letter: "GVL.rTempBed" -> "gvl r temp bed".
+std::string parted(std::string_view name);
+
+// The same as folded() but signs stay: "°C" -> "degc", "µm/min" -> "um/min", "min⁻¹" -> "min^-1". For units.
 std::string folded_unit(std::string_view text);
 
 // A list of words is one text with | between them. Whether `use` is true for one of them.

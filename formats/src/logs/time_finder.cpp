@@ -17,7 +17,7 @@
 namespace ballbar {
 namespace {
 
-constexpr double kUnixToMatlab_d = 719529.0;
+constexpr double kUnixToMatlab_d = 719529.0, kUnixToJulian_d = 2440587.5;
 constexpr std::string_view kNoTime = "none";  // of a recipe
 
 class TimeFinder {
@@ -243,18 +243,26 @@ class TimeFinder {
     if (sample.values.size() < 2 || !sample.ever_rises) return std::nullopt;
     const auto [least, most] = std::minmax_element(sample.values.begin(), sample.values.end());
     const double first = *least, last = *most;  // of channels below each other it falls where the next one begins
-    const auto within = [&](double low, double high) { return first >= low && last <= high; };
-    if (within(3e8, 6e9)) return Absolute{1.0, 0.0, 1e-6, "seconds since 1970"};
-    if (within(3e11, 6e12)) return Absolute{1e-3, 0.0, 1e-6, "ms since 1970"};
-    if (within(3e14, 6e15)) return Absolute{1e-6, 0.0, 1e-6, "us since 1970"};
-    if (within(3e17, 6e18)) return Absolute{1e-9, 0.0, 1e-6, "ns since 1970"};
     const bool days =
         sample.rises && (last - first) / static_cast<double>(sample.values.size() - 1) < 1.1 && !all_whole(sample);
-    if (days && within(29000.0, 80000.0)) {
-      return Absolute{86400.0, -kUnixToExcel_d * 86400.0, 1e-3, "days of a spreadsheet, since 1899-12-30"};
-    }
-    if (days && within(715000.0, 780000.0)) {
-      return Absolute{86400.0, -kUnixToMatlab_d * 86400.0, 1e-3, "days of MATLAB's datenum"};
+    struct Range {
+      double low, high;
+      Absolute time;
+    };
+    constexpr Range kRanges[] = {
+        {3e8, 3e9, {1.0, 0.0, 1e-6, "seconds since 1970"}},
+        {3e9, 6e9, {1.0, -2082844800.0, 1e-6, "seconds since 1904"}},  // of LabVIEW
+        {3e11, 6e12, {1e-3, 0.0, 1e-6, "ms since 1970"}},
+        {3e14, 6e15, {1e-6, 0.0, 1e-6, "us since 1970"}},
+        {7e17, 6e18, {1e-9, 0.0, 1e-6, "ns since 1970"}},
+        {1.2e17, 1.7e17, {1e-7, -11644473600.0, 1e-4, "ticks of 100 ns since 1601"}},  // of Windows
+        {6.2e17, 6.8e17, {1e-7, -62135596800.0, 1e-4, "ticks of 100 ns since year 1"}},
+        {29000.0, 80000.0, {kDay_s, -kUnixToExcel_d * kDay_s, 1e-3, "days of a spreadsheet, since 1899-12-30"}},
+        {715000.0, 780000.0, {kDay_s, -kUnixToMatlab_d * kDay_s, 1e-3, "days of MATLAB's datenum"}},
+        {2.4e6, 2.5e6, {kDay_s, -kUnixToJulian_d * kDay_s, 1e-3, "Julian days"}},
+    };
+    for (const Range& range : kRanges) {
+      if (first >= range.low && last <= range.high && (range.time.unit_s < kDay_s || days)) return range.time;
     }
     return std::nullopt;
   }

@@ -293,6 +293,20 @@ constexpr std::pair<std::string_view, double> kZones[] = {
     {"EEST", 3.0}, {"EET", 2.0},  {"EST", -5.0}, {"EDT", -4.0}, {"CST", -6.0}, {"CDT", -5.0}, {"MST", -7.0},
     {"MDT", -6.0}, {"PST", -8.0}, {"PDT", -7.0}, {"JST", 9.0},  {"KST", 9.0}};
 
+// "Europe/Berlin", "[Europe/Berlin]", "CET" behind the hours of the zone: they say no more.
+void skip_region(Cursor& cursor) {
+  Cursor ahead = cursor;
+  ahead.skip_blanks();
+  ahead.take("[");
+  const std::string_view word = ahead.word();
+  const bool is_zone =
+      std::any_of(std::begin(kZones), std::end(kZones), [&](const auto& zone) { return zone.first == word; });
+  if (ahead.take("/") ? ahead.word().empty() : !is_zone) return;
+  while (ahead.take_any("/_") != '\0') ahead.word();
+  ahead.take("]");
+  cursor = ahead;
+}
+
 bool take_zone(Cursor& cursor, TimeStamp& stamp) {
   cursor.skip_blanks();
   for (const auto& [name, hours] : kZones) {
@@ -305,7 +319,10 @@ bool take_zone(Cursor& cursor, TimeStamp& stamp) {
     if (cursor.peek() != '+' && cursor.peek() != '-') return true;
   }
   const char sign = cursor.take_any("+-");
-  if (sign == '\0') return true;
+  if (sign == '\0') {
+    skip_region(cursor);
+    return true;
+  }
   const auto hours = cursor.number(2, 4);
   if (!hours) return false;
   double zone_s = static_cast<double>(*hours) * 3600.0;
@@ -316,6 +333,7 @@ bool take_zone(Cursor& cursor, TimeStamp& stamp) {
     zone_s += static_cast<double>(*minutes) * 60.0;
   }
   stamp.zone_s = sign == '-' ? -zone_s : zone_s;
+  skip_region(cursor);
   return true;
 }
 
@@ -351,7 +369,7 @@ std::optional<TimeStamp> elapsed_time(std::string_view text) {
   TimeStamp stamp;
   const bool is_iso = text.starts_with('P') && text.find('T') != std::string_view::npos;
   Cursor cursor(text);
-  if (!is_iso || !cursor.take("P")) cursor.take("+");
+  if (!cursor.take(is_iso ? "P" : "T#")) cursor.take("+");  // T#5h30m of a PLC
   double sum_s = 0.0, last_unit_s = 0.0;
   if (!take_days_and_clock(cursor, stamp)) {
     while (!cursor.at_end()) {
@@ -396,7 +414,7 @@ bool is_packed_pair(std::string_view text) {
 
 std::optional<TimeStamp> time_stamp(std::string_view text, DateOrder order) {
   if (text.starts_with('[')) text.remove_prefix(1);  // "[2026-11-22 13:05:10]" of terminal programs
-  if (text.ends_with(']')) text.remove_suffix(1);
+  if (text.ends_with(']') && text.find('[') == std::string_view::npos) text.remove_suffix(1);
   Cursor cursor(text);
   cursor.skip_blanks();
   TimeStamp stamp;

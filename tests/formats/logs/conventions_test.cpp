@@ -58,6 +58,41 @@ TEST(conventions, times_since_a_start_with_days) {
   EXPECT_FALSE(read_log("Time,a\n5 m,1\n6 m,2\n", "log.csv").series.has_clock);
 }
 
+TEST(conventions, numbers_of_time_count_from_the_zero_of_their_system) {
+  // 2026-11-22 13:05:10 and 10 s later. As ns since 1970 ticks of 100 ns would be of 1990, and 0.1 s apart.
+  for (const std::string_view form :
+       {"1795352710|1795352720", "639309495100000000|639309495200000000", "134398263100000000|134398263200000000",
+        "3878197510|3878197520", "2461367.045254630|2461367.045370370", "46348.545254630|46348.545370370"}) {
+    const std::size_t middle = form.find('|');
+    const Log log =
+        read_log(fmt::format("Time,z_um\n{},1\n{},2\n", form.substr(0, middle), form.substr(middle + 1)), "log.csv");
+    EXPECT_NEAR(log.series.time_s[1], 10.0, 2e-3) << form;
+    EXPECT_EQ(log.series.started->substr(0, 18), "2026-11-22T13:05:1") << form;
+  }
+}
+
+TEST(conventions, a_time_may_have_its_unit_as_a_word_of_its_name) {
+  for (const std::string_view name :
+       {"timeSec", "seconds_elapsed", "uptime_s", "Sekunden seit Start", "time s", "Time elapsed, sec", "Время (с)"}) {
+    EXPECT_EQ(times(fmt::format("{};a\n0;1\n5;2\n", name)), (std::vector<double>{0, 5})) << name;
+  }
+}
+
+TEST(conventions, a_zone_may_have_the_name_of_a_region) {
+  for (const std::string_view zone : {" Europe/Berlin", "+01:00[Europe/Berlin]", " +0100 CET"}) {
+    const std::string text = fmt::format("t,a,b\n2026-11-22 13:05:10{0},1,2\n2026-11-22 13:05:20{0},2,2\n", zone);
+    EXPECT_EQ(times(text), (std::vector<double>{0, 10})) << zone;
+  }
+}
+
+TEST(conventions, units_as_people_spell_them) {
+  EXPECT_EQ(read("t_s;A [µ];B (?m);C [мкм];D [micron(s)];E (°С)\n0;1;1;1;1;1\n1;2;2;2;2;2\n"),
+            "A_um 1; B_um 1; C_um 1; D_um 1; E_degC 1; ");
+  EXPECT_EQ(read("Time [s] Bearing temp [C] Probe Z [um]\n0 20 1\n1 21 2\n2 21 3\n"),
+            "Bearing_temp_degC 20; Probe_Z_um 1; ");
+  EXPECT_EQ(read("t_s,\"Displ, mm (S/N: 20, LBL: Z)\"\n0,1\n1,2\n"), "Displ_S_N_20_LBL_Z_um 1000; ");
+}
+
 TEST(conventions, dates_without_a_year_pass_new_year) {
   for (const std::string_view form :
        {"31.12. 23:59|01.01. 00:01", "12-31 23:59|01-01 00:01", "Dec 31 23:59|Jan 1 00:01"}) {
