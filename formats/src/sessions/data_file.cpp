@@ -319,7 +319,7 @@ ModelData with_own_zeros(ModelData data) {
   Stacked all = stacked(runs, names, std::vector<std::optional<double>>(runs.size(), 0.0));
   data.series = std::make_shared<const Series>(std::move(all.series));
   data.remarks.push_back(fmt::format(
-      "{}: behind {} the measured values begin at zero, as those of a probe that is set to zero. "
+      "{}: behind {} the measured values begin at what a probe is set to, such as zero. "
       "The {} parts are read as runs, each with its own zero.",
       data.title, sessions.size() == 2 ? "a pause" : fmt::format("{} pauses", sessions.size() - 1), sessions.size()));
   return data;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "ballbar/internal/numerics/order_statistic.hpp"
 #include "ballbar/series/series.hpp"
@@ -13,12 +14,13 @@ namespace {
 
 constexpr double kSigmasOfZero = 3.0;
 constexpr double kLeastPause_s = 1200.0;
+constexpr double kRound = 100.0;  // a probe may be set to a multiple, which no reading is near by itself
 constexpr double kElsewhere = 2.0, kFarElsewhere = 10.0;  // times that, before a night, and before a shorter pause
 constexpr std::size_t kRowsOfSession = 4;
 
-// How far from zero a reading of a probe is that was set to zero: three times its scatter, from differences of
+// How far from what it was set to the reading of a probe is: three times its scatter, from differences of
 // neighbours, and half a resolution.
-double near_zero(const std::vector<double>& values) {
+double near_setting(const std::vector<double>& values) {
   constexpr double kMedianOfDifference = 0.95;  // of a normal distribution, in sigma of a value
   std::vector<double> sizes;
   for (std::size_t i = 1; i < values.size(); ++i) {
@@ -54,10 +56,14 @@ std::vector<RowRange> sessions_of(const Series& data, const std::vector<std::str
     const bool is_night = data.time_s[parts[k].begin] - data.time_s[parts[k].begin - 1] >= kRest_s;
     bool is_zeroed = parts[k].end - parts[k].begin >= kRowsOfSession, was_elsewhere = false;
     for (const Column* probe : probes) {
-      const double near = near_zero(probe->values);
-      is_zeroed = is_zeroed && std::abs(first_reading(probe->values, parts[k])) <= near;
-      was_elsewhere = was_elsewhere || std::abs(last_reading(probe->values, parts[k - 1])) >
-                                           (is_night ? kElsewhere : kFarElsewhere) * near;
+      const double near = near_setting(probe->values), first = first_reading(probe->values, parts[k]);
+      const double round = kFarElsewhere * near < kRound ? kRound * std::round(first / kRound) : 0.0;
+      const double settings[] = {0.0, first_reading(probe->values, parts.front()), round};
+      const auto* const setting = std::find_if(std::begin(settings), std::end(settings),
+                                               [&](double value) { return std::abs(first - value) <= near; });
+      is_zeroed = is_zeroed && setting != std::end(settings);
+      was_elsewhere = was_elsewhere || (is_zeroed && std::abs(last_reading(probe->values, parts[k - 1]) - *setting) >
+                                                         (is_night ? kElsewhere : kFarElsewhere) * near);
     }
     if (is_zeroed && was_elsewhere)
       sessions.push_back(parts[k]);

@@ -37,7 +37,7 @@ TEST(open_model_data, a_probe_that_is_set_to_zero_begins_a_run) {
   EXPECT_EQ(data.series->unread, std::vector<std::string>{"state"});
   ASSERT_EQ(data.remarks.size(), 1U);
   EXPECT_EQ(data.remarks[0],
-            "<data>: behind a pause the measured values begin at zero, as those of a probe that is set to zero. The 2 "
+            "<data>: behind a pause the measured values begin at what a probe is set to, such as zero. The 2 "
             "parts are read as runs, each with its own zero.");
 }
 

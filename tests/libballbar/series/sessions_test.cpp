@@ -69,6 +69,16 @@ TEST(sessions_of, a_few_rows_are_none) {
   EXPECT_TRUE(sessions_of(data, {"z_um"}).empty());
 }
 
+TEST(sessions_of, a_probe_may_be_set_to_another_value) {
+  Series data = two_days();
+  for (std::size_t i = 60; i < 120; ++i) data.columns[0].values[i] += 300.0;
+  EXPECT_EQ(sessions_of(data, {"z_um"}).size(), 2U);
+  for (double& value : data.columns[0].values) value += 12.0;  // 12 and 312 on the two days: it moved
+  EXPECT_TRUE(sessions_of(data, {"z_um"}).empty());
+  for (std::size_t i = 60; i < 120; ++i) data.columns[0].values[i] -= 300.0;  // 12 on both
+  EXPECT_EQ(sessions_of(data, {"z_um"}).size(), 2U);
+}
+
 // The probe was set to zero on the second day alone.
 TEST(sessions_of, the_first_may_begin_elsewhere) {
   Series data = two_days();
