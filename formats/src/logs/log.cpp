@@ -328,7 +328,10 @@ Log log_of(const Source& source, const LogRecipe& recipe, bool joined) {
     say(take_single_outliers(table.values[i]));
   }
   take_fahrenheit(plan, table.values);
-  if (std::string scale = take_scale(plan, table.values); !scale.empty()) log.remarks.push_back(std::move(scale));
+  for (const auto& take_unit : {take_scale, take_mm}) {
+    if (std::string assumed = take_unit(plan, table.values); !assumed.empty())
+      log.remarks.push_back(std::move(assumed));
+  }
   std::vector<std::string> assumed(plan.columns.size());
   for (const TemperatureFamily& family : temperatures_among(plan, table.values)) {
     for (const std::size_t i : family.columns) {

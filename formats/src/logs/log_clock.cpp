@@ -215,6 +215,7 @@ bool leave_out_repeated_rows(LogTable& table, const std::vector<double>& time_s,
 void put_in_order(LogTable& table, const std::vector<double>& time_s, bool is_dated,
                   std::vector<std::string>& remarks) {
   constexpr std::size_t kChangesOfBlock = 3;  // of the block, from row to row in order
+  constexpr double kLongestBack_s = 0.5 * kYear_s;
   std::vector<std::size_t> rows(time_s.size()), block(time_s.size(), 0);
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   if (time_s.size() > 2 && time_s.back() < time_s.front() && std::is_sorted(time_s.rbegin(), time_s.rend())) {
@@ -230,6 +231,7 @@ void put_in_order(LogTable& table, const std::vector<double>& time_s, bool is_da
     block[row] = block[row - 1] + falls;
     if (!falls) continue;
     if (first == 0) first = row;
+    if (time_s[row] < time_s[row - 1] - kLongestBack_s) return;  // a year that was not counted on
     if (table.first_day &&
         may_change(*table.first_day + static_cast<std::int64_t>(std::floor(time_s[row] / kDay_s)), time_s[row]))
       return;

@@ -1,12 +1,12 @@
 #include "logs/log_columns.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
@@ -19,6 +19,32 @@ namespace ballbar {
 namespace {
 
 constexpr double kFreezing_K = 273.15;
+
+constexpr double kMostDrift_mm = 1.0, kFar_mm = 20.0;
+
+// Whether lengths without a unit are plainly mm: they drift by 0.01 to 1 and are written to 0.0001, or to 0.001 far
+// from zero. In um so little is noise, which does not move slowly.
+bool drifts_in_mm(std::span<const double> values) {
+  constexpr double kLeast_mm = 0.01;
+  const Extremes range = extremes_of(values);
+  const double travel = range.most - range.least;
+  if (!(travel >= kLeast_mm && travel <= kMostDrift_mm)) return false;
+  const auto is_written_to = [&](double least) {
+    return std::all_of(values.begin(), values.end(), [&](double value) {
+      return !std::isfinite(value) || std::abs(value / least - std::round(value / least)) < 1e-3;
+    });
+  };
+  double steps = 0.0, before = NAN;
+  std::size_t rows = 0;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    if (rows++ > 0) steps += (value - before) * (value - before);
+    before = value;
+  }
+  const double step = std::sqrt(steps / static_cast<double>(rows));
+  const bool is_far = std::min(std::abs(range.least), std::abs(range.most)) > kFar_mm;
+  return rows > 3 && step < 0.25 * travel && is_written_to(1e-6) && (is_far || !is_written_to(1e-3));
+}
 
 // A name that can be typed: letters, digits and _; then the unit.
 std::string column_name(std::string_view name, std::string_view unit, std::set<std::string>& taken) {
@@ -39,6 +65,33 @@ std::string column_name(std::string_view name, std::string_view unit, std::set<s
 }
 
 }  // namespace
+
+std::string take_mm(LogPlan& plan, const std::vector<std::vector<double>>& values) {
+  std::vector<PlannedColumn*> lengths;
+  bool are_mm = false;
+  Extremes range{HUGE_VAL, -HUGE_VAL};
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    PlannedColumn& column = plan.columns[i];
+    if (column.kind != ColumnKind::number || is_time(plan, i) || !column.unit.empty() || column.stated.role ||
+        (!column.stated.unit.empty() && !column.unit_by_pattern) ||
+        found_role(column.name, "", values[i]).role != Role::measured)
+      continue;
+    const Extremes of_column = extremes_of(values[i]);
+    if (names_an_axis(column.name) && std::max(-of_column.least, of_column.most) > kFar_mm) continue;
+    if (of_column.most - of_column.least > kMostDrift_mm) return {};
+    are_mm = are_mm || drifts_in_mm(values[i]);
+    range = {std::min(range.least, of_column.least), std::max(range.most, of_column.most)};
+    lengths.push_back(&column);
+  }
+  if (!are_mm) return {};
+  std::vector<std::string_view> names;
+  for (PlannedColumn* column : lengths) {
+    column->unit = "mm";
+    names.emplace_back(column->source);
+  }
+  return fmt::format("{}: no unit, and values from {:g} to {:g}: read as mm. State --unit '{}=um' if they are in um.",
+                     fmt::join(names, ", "), range.least, range.most, names.front());
+}
 
 void take_column(const PlannedColumn& planned, std::vector<double>&& values, const std::string& why,
                  const std::string& name, Log& log, std::set<std::string>& taken) {
@@ -89,17 +142,8 @@ void take_column(const PlannedColumn& planned, std::vector<double>&& values, con
                : !why.empty() && found.role == Role::structure ? why
                : is_length                                     ? "by its unit"
                                                                : found.why;
-  if (column.unit.empty() && column.found_unit.empty() && (stated.unit.empty() || pattern_gives_way)) {
+  if (column.unit.empty() && column.found_unit.empty() && (stated.unit.empty() || pattern_gives_way))
     column.unit = found.unit;
-    if (column.unit == "mm") {
-      const Extremes range = extremes_of(values);
-      log.remarks.push_back(fmt::format(
-          "{0} states no unit and goes from {1:g} to {2:g}: read as mm. State --unit '{0}=um' if it is in um.",
-          column.source, range.least, range.most));
-      column.found_unit = std::exchange(column.unit, "um");
-      for (double& value : values) value *= 1e3;
-    }
-  }
   if (!stated.name.empty()) {
     column.name = column_name(stated.name.ends_with("_" + column.unit) && !column.unit.empty()
                                   ? std::string_view(stated.name).substr(0, stated.name.size() - column.unit.size() - 1)

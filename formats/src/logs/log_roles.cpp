@@ -142,30 +142,6 @@ bool names_a_probe(const std::string& key) {
          (name.size() == 1 || (name[1] >= '1' && name[1] <= '3'));
 }
 
-// Whether lengths without a unit are plainly mm: they drift by 0.01 to 1 and are written to 0.0001, or to 0.001 far
-// from zero. In um so little is noise, which does not move slowly.
-bool drifts_in_mm(std::span<const double> values) {
-  constexpr double kLeast_mm = 0.01, kMost_mm = 1.0, kFar_mm = 20.0;
-  const Extremes range = extremes_of(values);
-  const double travel = range.most - range.least;
-  if (!(travel >= kLeast_mm && travel <= kMost_mm)) return false;
-  const auto is_written_to = [&](double least) {
-    return std::all_of(values.begin(), values.end(), [&](double value) {
-      return !std::isfinite(value) || std::abs(value / least - std::round(value / least)) < 1e-3;
-    });
-  };
-  double steps = 0.0, before = NAN;
-  std::size_t rows = 0;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    if (rows++ > 0) steps += (value - before) * (value - before);
-    before = value;
-  }
-  const double step = std::sqrt(steps / static_cast<double>(rows));
-  const bool is_far = std::min(std::abs(range.least), std::abs(range.most)) > kFar_mm;
-  return rows > 3 && step < 0.25 * travel && is_written_to(1e-6) && (is_far || !is_written_to(1e-3));
-}
-
 constexpr std::size_t kFewLevels = 6, kRowsOfALevel = 4;
 constexpr double kWholeDegree = 1.0;
 
@@ -296,7 +272,6 @@ FoundRole found_role(std::string_view name, std::string_view unit, std::span<con
   constexpr std::string_view kStates = "code|count|counter|state|status|id|no|nr|number|index|alarm|flag|times|anzahl";
   if ((says(key, kMeasured) || names_a_probe(key)) && !says(key, kStates)) {
     if (range.most - range.least > kTravel_um) return {Role::event, "moves too far for a probe", ""};
-    if (drifts_in_mm(values)) return {Role::measured, "by its name; no unit, read as mm by its values", "mm"};
     return {Role::measured, "by its name, in which unit?", ""};
   }
   if (moves_as_speed(values) && !says(key, kOtherQuantity))

@@ -188,7 +188,7 @@ void take_fahrenheit(LogPlan& plan, const std::vector<std::vector<double>>& valu
 }
 
 std::string take_scale(LogPlan& plan, const std::vector<std::vector<double>>& values) {
-  constexpr double kColdest_degF = 59.0, kWarmest_degF = 100.0, kAlike_degF = 1.8 * kBeside_K;
+  constexpr double kColdest_degF = 59.0, kWarmest_degF = 100.0, kAlike_degF = 2.0;
   constexpr double kColdest_K = 268.0, kWarmest_K = 340.0;
   std::vector<std::size_t> columns;
   std::vector<std::string_view> names;
@@ -209,9 +209,9 @@ std::string take_scale(LogPlan& plan, const std::vector<std::vector<double>>& va
     high = std::max(high, first);
     has_room = has_room || names_the_room(column.name);
   }
-  if (columns.size() < 2) return {};
+  if (columns.size() < (has_room ? 1 : 2)) return {};
   const bool are_K = low >= kColdest_K && high <= kWarmest_K;
-  // Without a room a machine may be as warm in degC, but not all of it alike.
+  // Without a room a machine may be as warm in degC, but not all of it alike: that is a machine at rest.
   const bool are_degF = low > kWarmestRoom_degC && high <= kWarmest_degF &&
                         (has_room || (low >= kColdest_degF && high - low <= kAlike_degF));
   if (!are_K && !are_degF) return {};

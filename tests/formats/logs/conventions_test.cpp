@@ -124,6 +124,7 @@ TEST(conventions, blocks_and_single_rows_in_another_order_are_put_in_order) {
         log.remarks.front().find("is earlier than the line above: the rows are read in the order of their times."),
         std::string::npos);
   }
+  EXPECT_NE(error_of("Time,z_um\n2026-12-31 23:59,1\n2026-01-01 00:00,2\n2026-01-01 00:01,2\n"), "read");
   // A clock that was set back: rows of two blocks in turns, or of the same time.
   EXPECT_NE(error_of(dated({0, 2, 4, 6, 8, 10, 12, 1, 3, 5, 7, 9, 11, 13})), "read");
   EXPECT_NE(error_of(dated({0, 1, 2, 3}) + "2026-03-20 10:02,8\n2026-03-20 10:03,9\n"), "read");
@@ -142,11 +143,11 @@ TEST(conventions, one_scale_for_all_temperatures_without_a_unit) {
             "T1, T2 state no unit and begin at 294.15 to 294.15: read as K. State --unit 'T1=degC' if they are not.");
   // T1 goes to 122.9 degF, beyond what a machine has in degC, T2 stays at 69.8.
   EXPECT_EQ(read(rows("t_s,T1,T2,z_um", 60, cells(1.8, 32.0))), "T1_degC 21; T2_degC 21; z_um 0; ");
-  // Of two alike at 21 no one doubts, and 50 beside 60 may be a machine that is warm.
+  // Of two alike at 21 no one doubts, and 62 beside 66 may be a machine that is warm.
   EXPECT_EQ(read(rows("t_s,T1,T2,z_um", 60, cells(1.0, 0.0))), "T1_degC 21; T2_degC 21; z_um 0; ");
   EXPECT_EQ(read(rows("t_s,T1,T2,z_um", 60,
-                      [](int row) { return fmt::format("{},{},{:.1f},0", row, 50 + 0.1 * row, 60 + 0.1 * row); })),
-            "T1_degC 50; T2_degC 60; z_um 0; ");
+                      [](int row) { return fmt::format("{},{},{:.1f},0", row, 62 + 0.1 * row, 66 + 0.1 * row); })),
+            "T1_degC 62; T2_degC 66; z_um 0; ");
 }
 
 TEST(conventions, lengths_without_a_unit_are_mm_where_they_can_be_nothing_else) {
@@ -157,10 +158,15 @@ TEST(conventions, lengths_without_a_unit_are_mm_where_they_can_be_nothing_else) 
   };
   EXPECT_EQ(read(drift(0.5, 0.03, 4)), "Displacement_um 500; ");
   EXPECT_EQ(read(drift(299.998, 0.03, 3)), "Displacement_um 299998; ");
-  EXPECT_EQ(remark_of(drift(0.5, 0.03, 4)),
-            "Displacement states no unit and goes from 0.5 to 0.5284: read as mm. State --unit 'Displacement=um' if it "
-            "is in um.");
+  EXPECT_EQ(
+      remark_of(drift(0.5, 0.03, 4)),
+      "Displacement: no unit, and values from 0.5 to 0.5284: read as mm. State --unit 'Displacement=um' if they are "
+      "in um.");
   EXPECT_EQ(read_log(drift(0.5, 0.03, 4), "log.csv").recipe.columns.back().unit, "mm");
+  // One of two decides for the other, which alone may be in inches.
+  EXPECT_EQ(read(rows("t_s,dz,dx", 60,
+                      [](int row) { return fmt::format("{},{:.4f},{:.4f}", row, 0.0005 * row, 1e-4 * row); })),
+            "dz_um 0; dx_um 0; ");
   EXPECT_EQ(read(drift(0.5, 30.0, 4)), "Displacement 0.5; ");   // um
   EXPECT_EQ(read(drift(0.5, 0.5, 3)), "Displacement 0.5; ");    // um to 0.001, or mm
   EXPECT_EQ(read(drift(0.5, 0.5, 9)), "Displacement 0.5; ");    // computed
