@@ -96,7 +96,6 @@ void test_added(Inference& found, const std::vector<Term>& terms, const Series& 
     one.label = label_of(terms[t]);
     relabel(one.parameters, one.parameters.front().effect, one.label);
     relabel(result.parameters, label_of(fitted.model.terms[places.back()]), one.label);
-    if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.insert(one.doubts.begin(), Doubt::weak_evidence);
     result.added.push_back(std::move(one));
   }
   if (result.model.level == Level::series) leave_cycles_out(fitted.model, places, data, target, result.added);

@@ -168,22 +168,23 @@ std::vector<Observation> observations_of_runs(const std::vector<double>& time_s,
 // A smooth curve through the runs of a coarse column where it spends several rows each, else through its samples; those
 // of rows that are read one by one are as they are.
 std::vector<double> continuous_between_pauses(const std::vector<double>& time_s, const std::vector<double>& values,
-                                              std::size_t held, bool is_read, const Tuning& tuning) {
+                                              std::size_t held, bool is_read, const std::vector<double>& bends_s,
+                                              const Tuning& tuning) {
   const std::vector<RowRange> runs = equal_rows(values);
   if (runs.size() < tuning.fewest_changes) return values;
   if (3 * runs.size() < values.size() / held && climbs_by_one(runs, values, tuning))
-    return smooth_curve(observations_of_runs(time_s, values, runs, held), time_s);
+    return smooth_curve(observations_of_runs(time_s, values, runs, held), time_s, bends_s);
   if (is_read) return values;
   std::vector<Observation> observations;
   for (std::size_t i = held > 1 ? runs[1].begin % held : 0; i < values.size(); i += held)
     observations.push_back({time_s[i], values[i], 1.0});
-  return tuning.outliers_of_inputs ? robust_curve(std::move(observations), time_s, tuning)
-                                   : smooth_curve(observations, time_s);
+  return tuning.outliers_of_inputs ? robust_curve(std::move(observations), time_s, bends_s, tuning)
+                                   : smooth_curve(observations, time_s, bends_s);
 }
 
 // That of each stretch between pauses.
 std::vector<double> continuous(const std::vector<double>& time_s, const std::vector<double>& values, std::size_t held,
-                               bool is_read, const Tuning& tuning) {
+                               bool is_read, const std::vector<double>& bends_s, const Tuning& tuning) {
   std::vector<double> curve;
   curve.reserve(values.size());
   const auto part = [](const std::vector<double>& of, std::size_t begin, std::size_t end) {
@@ -192,7 +193,7 @@ std::vector<double> continuous(const std::vector<double>& time_s, const std::vec
   };
   for (const auto& [begin, end] : between_pauses(time_s)) {
     const std::vector<double> own =
-        continuous_between_pauses(part(time_s, begin, end), part(values, begin, end), held, is_read, tuning);
+        continuous_between_pauses(part(time_s, begin, end), part(values, begin, end), held, is_read, bends_s, tuning);
     curve.insert(curve.end(), own.begin(), own.end());
   }
   return curve;
@@ -220,6 +221,16 @@ void draw_steps(std::vector<Jump> jumps, LoggedInput& input, std::vector<double>
   input.jumps = std::move(jumps);
 }
 
+// When the stepped inputs change, in the middle of the rows between.
+std::vector<double> moments_of_jumps(const std::vector<LoggedInput>& inputs, const std::vector<double>& time_s) {
+  std::vector<double> moments;
+  for (const LoggedInput& input : inputs) {
+    for (const Jump& jump : input.jumps) moments.push_back(0.5 * (time_s[jump.first] + time_s[jump.last]));
+  }
+  std::sort(moments.begin(), moments.end());
+  return moments;
+}
+
 LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& targets, const Tuning& tuning) {
   LoggedInputs result;
   result.series = data;
@@ -239,6 +250,12 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
   }
   held = std::max<std::size_t>(1, held);
   ramped = std::max<std::size_t>(1, ramped);
+  struct RoughColumn {
+    Column* column;
+    std::size_t held;
+    bool is_read;
+  };
+  std::vector<RoughColumn> rough;
   for (Column& column : result.series.columns) {
     if (std::find(targets.begin(), targets.end(), column.name) != targets.end()) continue;
     if (!is_whole(column.values) || !(range_of(column.values) > 0.0)) continue;
@@ -273,14 +290,16 @@ LoggedInputs inputs_of_run(const Series& data, const std::vector<std::string>& t
       sample_s = static_cast<double>(sample) * step_s;
       // Rows far apart are read one by one, each within a short time.
       const bool is_read = sample == 1 && step_s > tuning.longest_sample_s;
-      if (tuning.smoothing && is_temperature(column))
-        column.values = continuous(data.time_s, column.values, rows, is_read, tuning);
+      if (tuning.smoothing && is_temperature(column)) rough.push_back({&column, rows, is_read});
     } else {
       continue;
     }
     input.late_s = sample_s > step_s ? sample_s : std::min(step_s, tuning.longest_sample_s);
     result.inputs.push_back(std::move(input));
   }
+  const std::vector<double> bends_s = moments_of_jumps(result.inputs, data.time_s);
+  for (const RoughColumn& one : rough)
+    one.column->values = continuous(data.time_s, one.column->values, one.held, one.is_read, bends_s, tuning);
   return result;
 }
 

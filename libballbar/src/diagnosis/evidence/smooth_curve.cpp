@@ -16,18 +16,24 @@
 namespace ballbar {
 namespace {
 
-constexpr std::size_t kNeighbours = 3;   // on either side
-constexpr double kMedianOfSizes = 0.67;  // of a normal distribution, in sigma
+constexpr std::size_t kNeighbours = 3;              // on either side
+constexpr double kMedianOfSizes = 0.67;             // of a normal distribution, in sigma
+constexpr double kBends[] = {0.0, 0.1, 1.0, 10.0};  // of the slope: scatters in a usual step
+constexpr double kCostOfBends = 2.0;                // nats
 
 // Integrated random walk x'' = white noise of this spectral density, seen at the observations. States (x, x'); it has
 // no stationary variance, so that its gains are not those of a noise (linear_filter.hpp), its steps are.
 struct Smoother {
   const std::vector<Observation>& observations;
-  double density;
+  const std::vector<double>& bends_s;
+  double density, bend = 0.0;  // bend: variance of what a bend adds to the slope
 
   static Eigen::Matrix2d transition(double dt) { return Eigen::Matrix2d{{1.0, dt}, {0.0, 1.0}}; }
-  StateEstimate<2> moved(const StateEstimate<2>& from, double dt) const {
+  StateEstimate<2> moved(StateEstimate<2> from, double since_s, double until_s) const {
+    const double dt = until_s - since_s;
     const Eigen::Matrix2d added = density * Eigen::Matrix2d{{dt * dt * dt / 3.0, dt * dt / 2.0}, {dt * dt / 2.0, dt}};
+    const auto next = std::lower_bound(bends_s.begin(), bends_s.end(), since_s);
+    if (next != bends_s.end() && *next < until_s) from.p(1, 1) += bend;
     return predicted(from, transition(dt), added);
   }
   static StateUpdate<2> with(const StateEstimate<2>& before, const Observation& one) {
@@ -44,7 +50,7 @@ struct Smoother {
     double log_variances = 0.0, squares = 0.0;
     StateEstimate<2> now = start();
     for (std::size_t i = 0; i < observations.size(); ++i) {
-      if (i > 0) now = moved(now, observations[i].time_s - observations[i - 1].time_s);
+      if (i > 0) now = moved(now, observations[i - 1].time_s, observations[i].time_s);
       const StateUpdate<2> update = with(now, observations[i]);
       now = update.after;
       if (i < 2) continue;
@@ -69,13 +75,13 @@ struct Smoother {
     std::size_t next = 0;
     for (std::size_t i = 0; i <= time_s.size(); ++i) {
       for (; next < observations.size() && (i == time_s.size() || observations[next].time_s <= time_s[i]); ++next) {
-        const StateEstimate<2> before = moved(now, observations[next].time_s - last);
+        const StateEstimate<2> before = moved(now, last, observations[next].time_s);
         now = with(before, observations[next]).after;
         last = observations[next].time_s;
         steps.push_back({last, before, now, std::nullopt});
       }
       if (i == time_s.size()) break;
-      now = moved(now, time_s[i] - last);
+      now = moved(now, last, time_s[i]);
       last = time_s[i];
       steps.push_back({last, now, now, i});
     }
@@ -99,31 +105,39 @@ struct Smoother {
   }
 };
 
-// With the roughness of the largest likelihood.
-Smoother likeliest(const std::vector<Observation>& observations) {
-  double best = 0.0, most = -std::numeric_limits<double>::infinity();
+// With the roughness and the bends of the largest likelihood. Beside bends a curve is no rougher than without.
+Smoother likeliest(const std::vector<Observation>& observations, const std::vector<double>& bends_s) {
+  double most = -std::numeric_limits<double>::infinity();
   const double span = observations.back().time_s - observations.front().time_s;
   const double usual = std::max(span / static_cast<double>(observations.size() - 1), 1e-3);
-  for (double step = 0.2 * usual; step < 0.3 * span; step *= 2.0) {
-    // A walk that goes by as much as the scatter in this time.
-    const double density = 3.0 / (step * step * step);
-    const double now = Smoother{observations, density}.log_likelihood();
-    if (now > most) {
+  Smoother best{observations, bends_s, 0.0};
+  double best_step = 0.2 * usual;
+  for (const double size : kBends) {
+    if (size > 0.0 && bends_s.empty()) break;
+    const double cost = size > 0.0 ? kCostOfBends : 0.0;
+    for (double step = best_step; step < 0.3 * span; step *= 2.0) {
+      // A walk that goes by as much as the scatter in this time.
+      const Smoother one{observations, bends_s, 3.0 / (step * step * step), std::pow(size / usual, 2)};
+      const double now = one.log_likelihood() - cost;
+      if (!(now > most)) continue;
       most = now;
-      best = density;
+      best.density = one.density;
+      best.bend = one.bend;
+      best_step = step;
     }
   }
-  return {observations, best};
+  return best;
 }
 
 }  // namespace
 
-std::vector<double> smooth_curve(const std::vector<Observation>& observations, const std::vector<double>& time_s) {
-  return likeliest(observations).at(time_s);
+std::vector<double> smooth_curve(const std::vector<Observation>& observations, const std::vector<double>& time_s,
+                                 const std::vector<double>& bends_s) {
+  return likeliest(observations, bends_s).at(time_s);
 }
 
 std::vector<double> robust_curve(std::vector<Observation> observations, const std::vector<double>& time_s,
-                                 const Tuning& tuning) {
+                                 const std::vector<double>& bends_s, const Tuning& tuning) {
   std::vector<double> values;
   values.reserve(observations.size());
   for (const Observation& one : observations) values.push_back(one.value);
@@ -138,7 +152,7 @@ std::vector<double> robust_curve(std::vector<Observation> observations, const st
       if (factor >= tuning.outlier) observations[i].variance *= factor;
     }
   }
-  return smooth_curve(observations, time_s);
+  return smooth_curve(observations, time_s, bends_s);
 }
 
 }  // namespace ballbar

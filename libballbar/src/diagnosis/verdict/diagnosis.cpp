@@ -164,7 +164,6 @@ std::vector<Candidate> members_of(const Inference& inference, const EffectSet& s
     Candidate one = tested_member(inference, set, fitted, at, m);
     one.in_best_set = true;
     one.minor = one.amplitude_um < std::max(kMinor * inference.problem->base.rmse_um, tolerance_um);
-    if (!(one.likelihood_ratio >= kLeastLikelihoodRatio)) one.doubts.push_back(Doubt::weak_evidence);
     // More likely an input in any form than an effect of the catalogue.
     const std::vector<double>& alpha = inference.posterior.modes.front().effects[set.single[m]].alpha;
     const auto first = alpha.begin() + static_cast<std::ptrdiff_t>(inference.problem->effects),

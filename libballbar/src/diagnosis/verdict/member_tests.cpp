@@ -316,6 +316,9 @@ Candidate tested_member(const Inference& inference, const EffectSet& set, const 
                       problem.library.columns.middleCols(signature.first, signature.width));
   const Effect& effect = effect_of_member(problem, set, member);
   one = with_tests(std::move(one), effect, at, member, fold, problem.tuning);
+  const bool is_weak =
+      !(one.likelihood_ratio >= kLeastLikelihoodRatio) || one.amplitude_um < kLeastSigmas * one.amplitude_sigma_um;
+  if (is_weak) one.doubts.insert(one.doubts.begin(), Doubt::weak_evidence);
   if (problem.tuning.jump_that_stays && is_jump(effect)) {
     const std::vector<Doubt> more = doubts_of_jump(problem, inference.posterior.filters[set.filter], at, member);
     one.doubts.insert(one.doubts.end(), more.begin(), more.end());

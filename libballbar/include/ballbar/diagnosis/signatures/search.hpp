@@ -31,6 +31,7 @@ inline constexpr double kIdentifiable = 7.5;  // d
 
 // Tests of a member of a set.
 inline constexpr double kLeastLikelihoodRatio = 10.0;  // 2 ln of a likelihood ratio; 10 is about 150 to 1
+inline constexpr double kLeastSigmas = 5.0;            // of an amplitude beside free shapes of all effects
 
 // Verdict.
 inline constexpr double kNamed = 0.9;        // P

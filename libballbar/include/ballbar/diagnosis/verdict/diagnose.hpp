@@ -50,7 +50,7 @@ enum class Doubt {
   time_alone,        // it reads no column: any slow drift looks like it
   gain_differs,      // its gain differs between cycles, or recordings
   not_predictive,    // it does not improve the prediction of left-out cycles, or recordings
-  weak_evidence,     // its likelihood ratio is below kLeastLikelihoodRatio
+  weak_evidence,     // its likelihood ratio is below kLeastLikelihoodRatio, or its amplitude below kLeastSigmas sigmas
   forgotten_change,  // of a jump: one reading, or a change within the memory of the noise, explains nearly as much
   warm_start,        // of a jump: a machine that was not at rest at the first row explains nearly as much
   drift_beside,      // a smaller slow drift without a cause is beside it, so that its form is open
