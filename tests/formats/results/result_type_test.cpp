@@ -68,7 +68,7 @@ inline constexpr auto kResult<Reading> =
                Field{"sigma", with_unit(may_lack(&Reading::sigma))}, Field{"mean", with_unit(&Reading::mean)},
                Field{"readings", count(&Reading::values)}, Field{"drawn", where(&is_drawn, &Reading::sigma)},
                Field{"hidden", where(&is_hidden, &Reading::sigma)},
-               std::tuple{Field{"column", bulk(&Reading::values)}, Field{"name", may_lack(&Reading::unit)}},
+               FieldList{Field{"column", bulk(&Reading::values)}, Field{"name", may_lack(&Reading::unit)}},
                Field{"unit", &Reading::unit, "in the place of the first"});
 
 struct OtherInner {};

@@ -264,8 +264,14 @@ void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms,
 
 std::vector<Doubt> doubts_of(const Candidate& tested, const Effect& effect, const Tuning& tuning) {
   const bool of_recordings = effect.level == Level::recording;
-  if (effect.time_only && !effect.rules.may_repeat && !of_recordings) return {Doubt::time_alone};
   std::vector<Doubt> doubts;
+  if (!(tested.likelihood_ratio >= kLeastLikelihoodRatio) ||
+      tested.amplitude_um < kLeastSigmas * tested.amplitude_sigma_um)
+    doubts.push_back(Doubt::weak_evidence);
+  if (effect.time_only && !effect.rules.may_repeat && !of_recordings) {
+    doubts.push_back(Doubt::time_alone);
+    return doubts;
+  }
   // A jump happens once: cycles have no gains of their own.
   if (tested.p_same_gain < tuning.same_gain && (of_recordings || !is_jump(effect)))
     doubts.push_back(Doubt::gain_differs);
@@ -316,9 +322,6 @@ Candidate tested_member(const Inference& inference, const EffectSet& set, const 
                       problem.library.columns.middleCols(signature.first, signature.width));
   const Effect& effect = effect_of_member(problem, set, member);
   one = with_tests(std::move(one), effect, at, member, fold, problem.tuning);
-  const bool is_weak =
-      !(one.likelihood_ratio >= kLeastLikelihoodRatio) || one.amplitude_um < kLeastSigmas * one.amplitude_sigma_um;
-  if (is_weak) one.doubts.insert(one.doubts.begin(), Doubt::weak_evidence);
   if (problem.tuning.jump_that_stays && is_jump(effect)) {
     const std::vector<Doubt> more = doubts_of_jump(problem, inference.posterior.filters[set.filter], at, member);
     one.doubts.insert(one.doubts.end(), more.begin(), more.end());

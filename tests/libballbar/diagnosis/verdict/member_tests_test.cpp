@@ -57,9 +57,18 @@ TEST(MemberTests, cycles_left_out) {
 TEST(MemberTests, doubts) {
   const Effect& expansion = *find_effect("expansion", Level::series);
   Candidate passed;
+  passed.likelihood_ratio = kLeastLikelihoodRatio;
+  passed.amplitude_um = 5.1;
+  passed.amplitude_sigma_um = 1.0;
   passed.held_out_evidence = 10.0;
   EXPECT_TRUE(doubts_of(passed, expansion).empty());
-  Candidate failed;
+  Candidate small = passed;
+  small.amplitude_sigma_um = 1.1;
+  EXPECT_EQ(doubts_of(small, expansion), std::vector{Doubt::weak_evidence});
+  small = passed;
+  small.likelihood_ratio = kLeastLikelihoodRatio - 0.1;
+  EXPECT_EQ(doubts_of(small, expansion), std::vector{Doubt::weak_evidence});
+  Candidate failed = passed;
   failed.held_out_evidence = 0.0;
   failed.p_same_gain = 0.5 * Tuning{}.same_gain;
   EXPECT_EQ(doubts_of(failed, expansion), (std::vector{Doubt::gain_differs, Doubt::not_predictive}));
@@ -69,9 +78,11 @@ TEST(MemberTests, doubts) {
 
 // A drift is no cause that one run could tell; a jump happens once, and a cycle repeats.
 TEST(MemberTests, what_goes_with_time_alone) {
-  EXPECT_EQ(doubts_of({}, *find_effect("settling", Level::series)), std::vector{Doubt::time_alone});
-  EXPECT_TRUE(doubts_of({}, *find_effect("step", Level::series)).empty());
-  EXPECT_TRUE(doubts_of({}, *find_effect("thermostat_cycle", Level::series)).empty());
+  Candidate sure;
+  sure.likelihood_ratio = kLeastLikelihoodRatio;
+  EXPECT_EQ(doubts_of(sure, *find_effect("settling", Level::series)), std::vector{Doubt::time_alone});
+  EXPECT_TRUE(doubts_of(sure, *find_effect("step", Level::series)).empty());
+  EXPECT_TRUE(doubts_of(sure, *find_effect("thermostat_cycle", Level::series)).empty());
 }
 
 // 24 values, a straight line of time: slope and sigma of the textbook, S_xy / S_xx and sqrt(S / (n - 2) / S_xx).
@@ -108,6 +119,32 @@ TEST(FittedSet, is_a_regression_where_the_scatter_is_white) {
   EXPECT_NEAR(fitted.intervals[1].high, slope + 1.96 * sigma, 1e-4);
   EXPECT_NEAR(fitted.amplitude_um[0], slope * (hours[23] - hours[0]), 1e-6);
   EXPECT_NEAR(fitted.amplitude_sigma_um[0], sigma * (hours[23] - hours[0]), 1e-6);
+}
+
+// 24 values and a jump at a known row between them: the difference of two means, of variance s^2 (1/12 + 1/12). The
+// moment of the jump, which is free, does not add to the sigma of its size.
+TEST(FittedSet, sigma_of_the_size_of_a_jump_is_that_of_two_means) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  Series data;
+  Column target{"z_um", Role::measured, {}};
+  for (int i = 0; i < 24; ++i) {
+    data.time_s.push_back(600.0 * i);
+    target.values.push_back((i < 12 ? 0.0 : 20.0) + normal(random));
+  }
+  data.columns = {target};
+  Model constant;
+  constant.targets = {"z_um"};
+  ProblemOptions options;
+  options.search.catalogue = built_in_catalogue();
+  options.terms = {term_of("step", {})};
+  Inference found = inference(constant, data, 0, options);
+  const auto family = family_of(*found.problem, {find_effect("step", Level::series), {}});
+  ASSERT_TRUE(family);
+  const EffectSet set = found.posterior.sets[set_of(*found.problem, found.posterior, {*family})];
+  const FittedSet fitted = fitted_set(*found.problem, found.posterior, set, false);
+  EXPECT_NEAR(fitted.amplitude_um[0], std::abs(fitted.parameters[1].value), 1e-9);
+  EXPECT_NEAR(fitted.amplitude_sigma_um[0], fitted.parameters[1].sigma, 1e-6);
 }
 
 }  // namespace
