@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "ballbar/advice.hpp"
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/internal/number_text.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
@@ -121,10 +122,8 @@ void say_place(const std::string& name, const ContinuedRun& run, const Series& o
                                   name, rows_text(before)));
   }
   if (left_out > 0) {
-    remarks.push_back(
-        fmt::format("{}: {} left out, because an input has no value there. State a longer --max-gap to "
-                    "interpolate.",
-                    name, rows_text(left_out)));
+    remarks.push_back(fmt::format("{}: {} left out, because an input has no value there.{}", name, rows_text(left_out),
+                                  advised(" State a longer --max-gap to interpolate.")));
   }
   if (run.pause_s > std::max(600.0, 3.0 * median_step_s(of_fit.time_s))) {
     remarks.push_back(fmt::format("{}: begins {} after the fit. The inputs are taken as straight lines in between.",

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
 #include "logs/log_interval.hpp"
@@ -66,9 +67,12 @@ class TimeFinder {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& expected, const std::string& found, const std::string& mend) const {
+  [[noreturn]] void fail(const std::string& expected, const std::string& found, const std::string& mend,
+                         std::vector<std::string> options) const {
     const std::size_t line = shape_.header_line > 0 ? shape_.header_line : shape_.first_row_line;
-    throw Error(fmt::format("{}:{}: expected {}, found {}; {}.", name_, line, expected, found, mend));
+    throw OptionError(
+        fmt::format("{}:{}: expected {}, found {}{}.", name_, line, expected, found, advised("; " + mend)),
+        std::move(options));
   }
 
   template <class Suits>
@@ -341,7 +345,7 @@ class TimeFinder {
     }
     if (!sample.mostly(sample.stamps + sample.dates + sample.clocks)) {
       fail(fmt::format("times in the column {}", in_quotes(plan_.columns[i].source)), "other text",
-           "name another with --time, or give the interval with --every, such as --every 1s");
+           "name another with --time, or give the interval with --every, such as --every 1s", {"time", "every"});
     }
     of_stamp(i);
   }
@@ -362,7 +366,7 @@ class TimeFinder {
     const auto unit_s = unit_of_number(i);
     if (!unit_s) {
       fail(fmt::format("the unit of the time {}", in_quotes(column.source)), "none",
-           "state --time-unit s, ms, min, h or d");
+           "state --time-unit s, ms, min, h or d", {"time-unit"});
     }
     time.unit_s = *unit_s;
     time.resolution_s = *unit_s == 1.0 ? 0.0 : 1e-9;
