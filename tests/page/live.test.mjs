@@ -414,11 +414,19 @@ test("in another language, with what was done as it was", async () => {
   await at_rest(page);
   assert.match(await page.textContent(".live-fall .rmse"), /^RMSE 0,431 µm$/);
   await page.evaluate(() => window.ballbar.figures.get("live-fit").see([100, 200]));
+  await page.click(".live-effects > summary");
+  await page.fill(".live-effects input", "Reibung");
+  const effects_found = () => page.$$eval(".live-effects li", (all) => all.map(({ dataset }) => dataset.effect).sort());
+  const found = await effects_found();
+  assert.ok(found.includes("speed_heating"));
   await page.locator(".page-tools select").selectOption("zh");
   await state(page, '.live-loop[lang="zh"] .live-fall[data-beside]');
   assert.match(await page.textContent(".live-fall"), /噪声/);
   const window_now = () => page.evaluate(() => window.ballbar.figures.get("live-fit").state().window);
   assert.deepEqual((await window_now())?.map(Math.round), [100, 200], "the picture shows what it showed");
+  assert.equal(await page.inputValue(".live-effects input"), "Reibung", "a word that was typed stays");
+  assert.ok(await page.locator(".live-effects").evaluate((one) => one.open));
+  assert.deepEqual(await effects_found(), found);
   assert.ok((await page.$$eval(".live-model .effect bdi", (all) => all.map(({ title }) => title))).includes("lagged_expansion(T_room_degC)"));
   const gain = page.locator(".live-model input[type=range]").nth(1);
   await gain.evaluate((one) => {

@@ -1,5 +1,5 @@
 // The page: the verdict and what proves it, then the sections, folded.
-import { kept_view, shared_by_figures } from "./page/shared";
+import { shared_by_figures } from "./page/shared";
 import { one_sheet } from "./page/one_sheet";
 import { page_tools } from "./page/page_tools";
 import { details_of, element, text_in } from "./elements/elements";
@@ -146,10 +146,10 @@ try {
     };
     show();
     when_spoken(() => {
-      const bring_back = kept_view(shared);
+      const top = scrollY;
       shared.clear();
       show();
-      bring_back();
+      scrollTo({ top, behavior: "instant" });
     });
     ready(shared);
   }

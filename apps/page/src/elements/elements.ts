@@ -37,6 +37,13 @@ export const select_of = (
 export const details_of = (name: string, summary: string, ...parts: readonly Node[]): HTMLDetailsElement =>
   element("details", { class: name }, element("summary", {}, summary), ...parts);
 
+// What a reader unfolds stays so in `unfolded`, by its name, and is unfolded again where it is made anew.
+export const kept_open = (made: HTMLDetailsElement, name: string, unfolded: Set<string>): HTMLDetailsElement => {
+  made.open = unfolded.has(name);
+  made.addEventListener("toggle", () => void (made.open ? unfolded.add(name) : unfolded.delete(name)));
+  return made;
+};
+
 // Text longer than a paragraph, as a hostile name may be, scrolls in a box of its own. Paragraphs and items are sentences;
 // headings and cells may be names. What is English on a page that is not is marked, for those who hear it.
 export const text_in = <K extends keyof HTMLElementTagNameMap>(tag: K, text: Sentence): HTMLElementTagNameMap[K] => {

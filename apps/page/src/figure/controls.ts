@@ -86,6 +86,9 @@ const chooser_of = (choice: Choice, choose: (value: string) => void): Chooser =>
 
 const used_by_key = (legend: HTMLElement): HTMLElement[] => [...legend.querySelectorAll<HTMLElement>("input, button")];
 
+const alike = (a: readonly Toggle[], b: readonly Toggle[]): boolean =>
+  a.length === b.length && a.every(({ key, label, mark, group }, k) => key === b[k]?.key && label === b[k].label && mark === b[k].mark && group === b[k].group);
+
 export const controls_of = (
   picture: Picture,
   choose: (key: string, value: string) => void,
@@ -93,7 +96,7 @@ export const controls_of = (
 ): Controls => {
   const choices = (picture.choices ?? []).map((choice) => chooser_of(choice, (value) => choose(choice.key, value)));
   const legend = element("div", { class: "legend", role: "group", "aria-label": t.figure_curves });
-  let shown = "";
+  let shown: { dark: boolean; toggles: readonly Toggle[] } | null = null;
   let state: State;
   // This one, or all again where it is the only one.
   const alone = (toggles: readonly Toggle[], key: string): void => {
@@ -111,9 +114,9 @@ export const controls_of = (
     state = now;
     for (const choice of choices) choice.update(now, drawn);
     const toggles = picture.toggles(now);
-    const of_these = JSON.stringify([now.look.dark, toggles]);
-    if (of_these !== shown) write(toggles, now.look.dark);
-    shown = of_these;
+    const { dark } = now.look;
+    if (shown?.dark !== dark || !alike(shown.toggles, toggles)) write(toggles, dark);
+    shown = { dark, toggles };
     for (const box of legend.querySelectorAll<HTMLInputElement>("input")) box.checked = !now.hidden.has(box.dataset["curve"] ?? "");
   };
   const all = element("div", { class: "controls" }, element("div", { class: "choices" }, ...choices.map(({ label }) => label)), legend);

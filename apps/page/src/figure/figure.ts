@@ -1,4 +1,5 @@
-// One picture on the page with its controls. It holds the state; every change redraws the picture.
+// One picture on the page with its controls. The page holds its state; every change redraws the picture.
+import { effect, signal, untracked } from "@preact/signals-core";
 import { type Brush, brush_of, type Brushed, canvas_of, type Chart, chart_in, link, px_at, take_brush, x_at, x_limits, y_at } from "./charts";
 import { controls_of, within_slider } from "./controls";
 import { listen_to_keys, listen_to_pointer, magnify_by, next_row, row_text, take_brushed } from "./input";
@@ -39,7 +40,6 @@ export interface Figure {
   whole(): Range | null; // the x axis without a window
   choose(key: string, value: string): void;
   turn(key: string, on: boolean): void; // a curve, on or off
-  take(state: State): void; // takes choices, switches and zoom of another figure of this picture
   watch(changed: (state: State) => void): void; // at once, and with every change
   see(window: Range | null): void;
   select(stretch: Range | null): void;
@@ -54,10 +54,11 @@ export interface Figure {
 
 export const figure_of = (picture: Picture, page: PageState): Figure => {
   const at_first = initial_state(picture, page.dark(), 0);
-  let state: State = {
-    ...at_first,
-    hidden: new Set(picture.toggles(at_first).filter(off_at_first).map(({ key }) => key)),
-  };
+  const quiet = new Set(picture.toggles(at_first).filter(off_at_first).map(({ key }) => key));
+  const state = page.states.get(picture.name) ?? signal<State>({ ...at_first, hidden: quiet });
+  page.states.set(picture.name, state);
+  let look = at_first.look; // as it is drawn
+  const now = (): State => ({ ...state.peek(), window: window_now(), look });
   let chart: Chart | null = null;
   let whole: Range | null = null;
   let whole_for: State["chosen"] | null = null; // the choices that `whole` belongs to
@@ -66,16 +67,17 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   let awaited = 0; // the frame in which it will be drawn
   let brushing: Brush = false; // what a drag draws now
   let selecting = false;
-  let panel_open = false;
+  let panel_open = state.peek().stretch !== null;
   let row: number | null = null; // under the cursor
-  let known = new Set(picture.toggles(state).map((toggle) => toggle.key));
+  let known = new Set(picture.toggles(state.peek()).map((toggle) => toggle.key));
   let paper: HTMLCanvasElement | null = null;
   let numbers: { of: State; values: Numbers } | null = null;
 
   // The same numbers are asked for many times while a window or a stretch moves.
   const numbers_now = (): Numbers => {
-    if (numbers?.of.chosen !== state.chosen || numbers.of.hidden !== state.hidden) {
-      numbers = { of: state, values: picture.numbers(state) };
+    const of = now();
+    if (numbers?.of.chosen !== of.chosen || numbers.of.hidden !== of.hidden) {
+      numbers = { of, values: picture.numbers(of) };
     }
     return numbers.values;
   };
@@ -95,15 +97,14 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   const canvas = element("div", { class: "canvas" });
   box.append(canvas);
 
-  const watching: ((state: State) => void)[] = [];
+  const watching: (() => void)[] = [];
   const change = (part: Partial<State>): void => {
-    state = { ...state, ...part };
-    for (const changed of watching) changed(state);
+    state.value = { ...state.peek(), ...part };
     figure.redraw();
   };
 
   const see = (window: Range | null): void => {
-    if (!window && state.heights) change({ heights: null });
+    if (!window && state.peek().heights) change({ heights: null });
     if (picture.zoom === "time") page.see_time(window);
     else if (picture.zoom === "own") change({ window });
   };
@@ -120,12 +121,13 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     const choice = picture.choices?.find((one) => one.key === key);
     const slid_to = choice?.slider && Number(value) >= choice.slider.least && Number(value) <= choice.slider.most;
     const offered = !choice || slid_to || choice.values.some((one) => one.value === value);
-    if (!offered || state.chosen[key] === value) return;
-    const chosen = { ...state.chosen, [key]: value };
+    const { chosen: before, hidden: off } = state.peek();
+    if (!offered || before[key] === value) return;
+    const chosen = { ...before, [key]: value };
     const toggles = picture.toggles({ chosen });
     // Curves that were not there before are on or off as they are at first.
     const hidden = new Set([
-      ...state.hidden,
+      ...off,
       ...toggles.filter((one) => !known.has(one.key) && off_at_first(one)).map((one) => one.key),
     ]);
     known = new Set([...known, ...toggles.map((toggle) => toggle.key)]);
@@ -134,7 +136,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   };
 
   const turn = (keys: readonly string[], on: boolean): void => {
-    const hidden = new Set(state.hidden);
+    const hidden = new Set(state.peek().hidden);
     for (const key of keys) {
       if (on) hidden.delete(key);
       else hidden.add(key);
@@ -146,7 +148,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
 
   const panel = stretch_panel(
     (stretch) => select(stretch),
-    () => state.stretch && see(state.stretch),
+    () => see(state.peek().stretch),
   );
   const table = numbers_table(picture.title, numbers_now);
   const mode = button(
@@ -159,15 +161,16 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   );
   const reset = button(t.figure_show_all, t.figure_show_all_title, () => see(null));
   const update_parts = (): void => {
-    controls.update(state);
-    reset.disabled = state.window === null && state.heights === null;
+    const { window, heights, stretch } = now();
+    controls.update(now());
+    reset.disabled = window === null && heights === null;
     mode.setAttribute("aria-pressed", String(selecting));
     box.classList.toggle("selecting", selecting);
-    panel.update(state.stretch, panel_open, numbers_now);
+    panel.update(stretch, panel_open, numbers_now);
     table.update();
   };
 
-  const window_now = (): Range | null => (picture.zoom === "time" ? page.time_window() : state.window);
+  const window_now = (): Range | null => (picture.zoom === "time" ? page.time_window() : state.peek().window);
 
   const draw_now = (): void => {
     cancelAnimationFrame(awaited);
@@ -176,17 +179,13 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     if (width_px === 0) return;
     stale = false;
     const height_px = height_at(picture, box);
-    state = {
-      ...state,
-      window: window_now(),
-      look: { dark: page.dark(), width_px, height_px, still: false },
-    };
+    look = { dark: page.dark(), width_px, height_px, still: false };
     box.style.height = `${height_px}px`;
     chart ??= made_chart(width_px, height_px);
     if (chart.getWidth() !== width_px) chart.resize({ width: width_px, height: height_px });
     learn_whole();
-    const option = drawn(picture, state);
-    if (!state.window) whole = whole_of(option);
+    const option = drawn(picture, now());
+    if (!window_now()) whole = whole_of(option);
     chart.clear(); // what is drawn depends on the state alone, not on what was drawn before
     chart.setOption(picture.zoom === "none" ? option : { ...option, ...brush_of(picture.name, page.dark()) }, { notMerge: true });
     brushing = false;
@@ -207,22 +206,23 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   const whole_of = (option: EChartsCoreOption): Range | null => (picture.zoom === "none" ? null : x_limits(option));
   // A picture first drawn in a window, or of another recording, has not shown all of its axis yet.
   const learn_whole = (): void => {
-    if (state.chosen === whole_for) return;
-    whole_for = state.chosen;
-    if (!state.window) return;
+    const of = now();
+    if (of.chosen === whole_for) return;
+    whole_for = of.chosen;
+    if (!of.window) return;
     const before = whole;
-    whole = whole_of(picture.draw({ ...state, window: null, stretch: null }));
+    whole = whole_of(picture.draw({ ...of, window: null, stretch: null }));
     const same = before !== null && whole !== null && before[0] === whole[0] && before[1] === whole[1];
-    if (picture.zoom === "own" && !same) state = { ...state, window: null, stretch: null, heights: null };
+    if (picture.zoom === "own" && !same) state.value = { ...state.peek(), window: null, stretch: null, heights: null };
   };
 
   const step = (by: number): void => {
     const all = numbers_now();
-    row = next_row(all, state.window, row, by);
+    row = next_row(all, window_now(), row, by);
     if (row === null) return;
     const x = all.columns[0]?.values[row];
     if (typeof x === "number" && chart && whole) {
-      chart.dispatchAction({ type: "showTip", x: px_at(chart, x), y: 0.3 * state.look.height_px });
+      chart.dispatchAction({ type: "showTip", x: px_at(chart, x), y: 0.3 * look.height_px });
     }
     page.say(row_text(all, row));
   };
@@ -230,13 +230,13 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   const view: View = {
     box,
     whole: () => (picture.zoom === "time" ? page.time_whole() : picture.zoom === "own" ? whole : null),
-    window: () => state.window,
-    stretch: () => state.stretch,
+    window: window_now,
+    stretch: () => state.peek().stretch,
     selecting: () => selecting,
     x_at: (px) => (chart ? x_at(chart, px) : NaN),
     y_at: (axis, px) => (chart ? y_at(chart, axis, px) : NaN),
     plot_at: (x, y) => [0, 1, 2, 3].find((gridIndex) => chart?.containPixel({ gridIndex }, [x, y])) ?? null,
-    heights: () => state.heights,
+    heights: () => state.peek().heights,
     see,
     see_heights: (heights) => change({ heights }),
     select,
@@ -249,25 +249,25 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   listen_to_keys(view, step);
   if (slid?.slider) {
     const { key, slider, initial } = slid;
-    magnify_by(box, (factor) => choose(key, factor === null ? initial : within_slider(slider, slider.now(state.chosen) * factor)));
+    magnify_by(box, (factor) => choose(key, factor === null ? initial : within_slider(slider, slider.now(state.peek().chosen) * factor)));
   }
 
   const tools = element("div", { class: "tools" });
   if (picture.zoom !== "none") tools.append(mode, reset);
   tools.append(
-    button("SVG", t.figure_svg_title, () => save_svg(picture, state)),
-    button("PNG", t.figure_png_title, () => void save_png(picture, state)),
-    button("CSV", t.figure_csv_title, () => save_csv(picture, state)),
+    button("SVG", t.figure_svg_title, () => save_svg(picture, now())),
+    button("PNG", t.figure_png_title, () => void save_png(picture, now())),
+    button("CSV", t.figure_csv_title, () => save_csv(picture, now())),
   );
   if (can_copy()) {
     const copy = button(t.figure_copy, t.figure_copy_title, () =>
-      void copy_png(picture, state).then(
+      void copy_png(picture, now()).then(
         () => {
           copy.textContent = t.figure_copied;
           page.say(t.figure_copied);
           setTimeout(() => (copy.textContent = t.figure_copy), kCopied_ms);
         },
-        () => save_png(picture, state), // it is not allowed
+        () => save_png(picture, now()), // it is not allowed
       ),
     );
     tools.append(copy);
@@ -288,19 +288,17 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   const figure: Figure = {
     picture,
     element: all,
-    state: () => state,
+    state: now,
     chart: () => chart,
     whole: () => whole,
     choose,
     turn: (key, on) => turn([key], on),
-    take({ chosen, hidden, window, stretch, heights }) {
-      known = new Set([...known, ...picture.toggles({ chosen }).map((toggle) => toggle.key)]);
-      panel_open = stretch !== null;
-      change({ chosen, hidden, window, stretch, heights });
-    },
     watch(changed) {
-      watching.push(changed);
-      changed(state);
+      const stop = effect(() => {
+        const now = state.value;
+        untracked(() => changed(now));
+      });
+      watching.push(stop);
     },
     see,
     select,
@@ -319,7 +317,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
     },
     draw_now,
     print() {
-      const still = stilled({ ...state, window: window_now() }, false, kPaper_px, picture.height_px);
+      const still = stilled(now(), false, kPaper_px, picture.height_px);
       paper = canvas_of(drawn(picture, still), kPaper_px, picture.height_px, kPaper_pixels);
       paper.className = "paper";
       box.append(paper);
@@ -329,6 +327,7 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
       paper = null;
     },
     leave() {
+      for (const stop of watching) stop();
       chart?.dispose();
       chart = null;
     },
@@ -343,6 +342,6 @@ export const figure_of = (picture: Picture, page: PageState): Figure => {
   new ResizeObserver(() => {
     if (chart && chart.getWidth() !== box.clientWidth) figure.redraw();
   }).observe(box);
-  controls.update(state, false);
+  controls.update(now(), false);
   return figure;
 };

@@ -1,5 +1,6 @@
 // The interface of a figure for pointer and keys.
-import type { Heights, Range } from "../picture";
+import type { Signal } from "@preact/signals-core";
+import type { Heights, Range, State } from "../picture";
 import type { Brush } from "./charts";
 
 export interface View {
@@ -21,6 +22,7 @@ export interface View {
 // The interface between a figure and its page: light or dark, and the common window of figures over time.
 
 export interface PageState {
+  states: Map<string, Signal<State>>; // of its figures, by their names
   dark(): boolean;
   time_window(): Range | null;
   time_whole(): Range | null; // of all figures over time that are drawn

@@ -1,5 +1,5 @@
 // The possibly missing effects, most probable first, each with a button that adds it. A selected row draws its curve.
-import { button, element } from "../elements/elements";
+import { button, details_of, element, kept_open } from "../elements/elements";
 import { best_set, ranked_candidates } from "../diagnosis/ranking";
 import { decimals_for, rmse_shown, shown, with_sigma } from "../drawing/theme";
 import { can_be_typed, set_key } from "./runs";
@@ -34,6 +34,7 @@ export interface CandidateList {
 }
 
 export const candidate_list = (
+  unfolded: Set<string>,
   add: (effects: readonly string[]) => void,
   look: (candidate: Candidate | null) => void,
   opened: (effects: readonly (readonly string[])[]) => void, // beyond the first
@@ -82,7 +83,7 @@ export const candidate_list = (
       const set = set_labels(found);
       const list = (some: readonly Row[]): HTMLElement => element("ul", {}, ...some.map((row) => row.element));
       const rest = rows.slice(kFirst);
-      const more = element("details", { class: "more" }, element("summary", {}, t.live_more_candidates({ count: rest.length })), list(rest));
+      const more = kept_open(details_of("more", t.live_more_candidates({ count: rest.length }), list(rest)), "more", unfolded);
       more.addEventListener("toggle", () => opened(rest.map(({ effects }) => effects)), { once: true });
       box.replaceChildren(
         ...(rows.length > 0 ? [element("h3", {}, t.live_may_be_missing), list(rows.slice(0, kFirst))] : []),

@@ -1,4 +1,5 @@
 // Any effect of the catalogue, found by its name or a word of it in any language of the page, with the columns that suit.
+import type { Signal } from "@preact/signals-core";
 import { button, element } from "../elements/elements";
 import type { Catalogue, CatalogueEntry } from "./catalogue";
 import { details_of } from "../elements/elements";
@@ -8,13 +9,14 @@ import { can_be_typed, type EffectChoice } from "./runs";
 import { explained_by, in_all_languages, named, sentence_text, t } from "../texts/texts";
 
 export interface EffectSearchOf {
+  word: Signal<string>; // that is typed
   catalogue: Catalogue;
   add(label: string): void;
   beside(label: string): void; // as a hypothesis
 }
 
 export interface EffectSearch {
-  element: HTMLElement;
+  element: HTMLDetailsElement;
   show(choices: readonly EffectChoice[], level: string): void; // of the model as it is
 }
 
@@ -57,10 +59,10 @@ const columns_chosen = (entry: CatalogueEntry, { columns }: EffectChoice): { ele
   return { element: element("span", { class: "columns" }, ...lists), chosen: () => left(lists.length)[0] ?? can[0] ?? -1 };
 };
 
-export const effect_search = ({ catalogue, add, beside }: EffectSearchOf): EffectSearch => {
+export const effect_search = ({ word, catalogue, add, beside }: EffectSearchOf): EffectSearch => {
   let choices: readonly EffectChoice[] = [];
   let level = "";
-  const field = element("input", { type: "search", placeholder: t.hands_find_example, "aria-label": t.hands_find, autocomplete: "off" });
+  const field = element("input", { type: "search", placeholder: t.hands_find_example, "aria-label": t.hands_find, autocomplete: "off", value: word.peek() });
   const list = element("ul", { class: "effects" });
   const note = element("p", { class: "note" }, t.hands_read);
   const box = details_of("live-effects", t.hands_add, field, note, list);
@@ -90,7 +92,7 @@ export const effect_search = ({ catalogue, add, beside }: EffectSearchOf): Effec
   };
 
   const draw = (): void => {
-    const asked = field.value.toLowerCase().split(/[\s,()]+/).filter((word) => word !== "");
+    const asked = word.value.toLowerCase().split(/[\s,()]+/).filter((word) => word !== "");
     const found = choices.flatMap((choice) => {
       const entry = catalogue.entry(choice.effect, level);
       if (!entry) return [];
@@ -105,9 +107,9 @@ export const effect_search = ({ catalogue, add, beside }: EffectSearchOf): Effec
     note.textContent = choices.length === 0 ? t.hands_read : t.hands_none_found;
     list.replaceChildren(...found.map(({ entry, choice }) => row_of(entry, choice)));
   };
-  field.addEventListener("input", draw);
+  field.addEventListener("input", () => (word.value = field.value));
   box.addEventListener("toggle", () => {
-    if (box.open) field.focus({ preventScroll: true });
+    if (box.open && box.contains(document.activeElement)) field.focus({ preventScroll: true });
   });
   return {
     element: box,

@@ -6,7 +6,7 @@ import type { Figure } from "../figure/figure";
 import type { PageState } from "../figure/view";
 import type { PageAction } from "../picture";
 import type { Report } from "../report";
-import { kept_view, type Shared, shared_by_figures } from "../page/shared";
+import { type Shared, shared_by_figures } from "../page/shared";
 import { page_tools } from "../page/page_tools";
 
 // The functions of the page for its live part.
@@ -15,6 +15,7 @@ export interface LivePage {
   // In the place of the one before; a loop stands for the first screen. `again`: of the same data, so that what a
   // reader unfolded, zoomed and chose stays.
   show(report: Report, loop: Loop | null, again: boolean): void;
+  forget(): void; // what a reader chose: other data will be shown
   made_with(options: string): void; // the report that is shown next
   shown(): boolean; // whether a report is, or was
   clear(): void;
@@ -51,7 +52,7 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
     shown: () => shown,
     show(report, loop, again) {
       shown = true;
-      const bring_back = kept_view(shared);
+      const top = scrollY;
       const focused = document.activeElement;
       const kept = loop?.figures() ?? [];
       shared.clear(kept);
@@ -60,12 +61,13 @@ export const live_page = (voice: HTMLElement, given: Report | null, open: Open):
       place.replaceChildren(...parts);
       draw();
       for (const figure of kept) shared.add(figure);
-      if (again) bring_back();
+      if (again) scrollTo({ top, behavior: "instant" });
       if (focused instanceof HTMLElement && focused.isConnected) focused.focus({ preventScroll: true });
     },
     made_with(options) {
       shared.asked = options;
     },
+    forget: () => shared.forget(),
     add: (figure) => shared.add(figure),
     on_action(doing) {
       shared.doing = doing;

@@ -316,10 +316,8 @@ export const loop_of = ({ subject: first, targets, runs, work, catalogue, page, 
       tell_page();
     },
     rewrite() {
-      const open = [...view.element.querySelectorAll("details[open]")].flatMap(({ className }) => (className ? [className] : []));
       view.leave();
       view = written();
-      for (const name of open) view.element.querySelector(`details.${name}`)?.setAttribute("open", "");
       tell_page();
     },
     refused: tell,

@@ -3,7 +3,7 @@ import { effect, signal } from "@preact/signals-core";
 import { next_label } from "../diagnosis/next_action";
 import { micrometres, plain } from "../drawing/text";
 import { rmse_shown } from "../drawing/theme";
-import { button, element, select_of } from "../elements/elements";
+import { button, element, kept_open, select_of } from "../elements/elements";
 import { type Figure, figure_of } from "../figure/figure";
 import type { PageState } from "../figure/view";
 import { plain_name } from "../machine_errors/error_names";
@@ -101,7 +101,7 @@ export const loop_view = ({ store, targets, catalogue, page, ...of }: LoopViewOf
     const last = made?.figure;
     const figure = figure_of(fit_picture(now), page);
     made = { figure, rows: count };
-    if (last) figure.take({ ...last.state(), stretch: null });
+    if (last) figure.select(null);
     last?.leave();
     figure.watch(() => (stretch.value = figure.state().stretch));
     place.replaceChildren(figure.element);
@@ -120,7 +120,7 @@ export const loop_view = ({ store, targets, catalogue, page, ...of }: LoopViewOf
     free: ({ effect = "", name, value }) => of.change({ freed: [{ effect, parameter: name, value: value ?? 0 }] }),
     remove: (label) => of.change({ removed: [label] }),
   });
-  const candidates = candidate_list(of.add, (one) => store.candidate.set(one), of.promise);
+  const candidates = candidate_list(store.unfolded, of.add, (one) => store.candidate.set(one), of.promise);
   const two = two_hypotheses({
     store,
     page,
@@ -128,8 +128,9 @@ export const loop_view = ({ store, targets, catalogue, page, ...of }: LoopViewOf
     compare: of.compare,
     keep: (label) => (label === "" ? store.both.set(null) : of.add([label])),
   });
-  const effects = effect_search({ catalogue, add: (label) => of.add([label]), beside: (label) => two.beside(label) });
+  const effects = effect_search({ word: store.word, catalogue, add: (label) => of.add([label]), beside: (label) => two.beside(label) });
   const plan = next_test(store, of.plan);
+  for (const box of [two.element, effects.element, plan.element]) kept_open(box, box.className, store.unfolded);
   const target_list = targets.map((target) => [target, plain(target, 60)] as const);
   const { select: target_choice, label: target_label } = select_of(t.live_explained, target_list, of.choose);
   target_label.hidden = targets.length < 2;

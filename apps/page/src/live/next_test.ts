@@ -10,7 +10,7 @@ import { said, sentence_text, t } from "../texts/texts";
 import type { Store } from "./store";
 
 export interface NextTest {
-  element: HTMLElement;
+  element: HTMLDetailsElement;
   offer(found: Diagnosed): void;
   show(): void; // the plan
   open(): void;

@@ -209,6 +209,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     report = first;
     loop = null;
     keep_state();
+    page.forget();
     page.show(first, null, false);
     drawn();
   };
@@ -218,6 +219,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     const first = await runs.report(next);
     const took_ms = performance.now() - began;
     await note_skipped(next.group, first);
+    page.forget();
     const its_loop = await make_loop(next, first);
     if (!its_loop) return show_alone(next, first);
     subject = next;

@@ -101,6 +101,8 @@ export const store_of = (first: Subject, catalogue: Catalogue) => {
     plan: while_of<Diagnosed | null, PlannedFiles | (() => string) | null>(found, null),
     plan_hours: signal(12),
     planning: signal(false),
+    unfolded: new Set<string>(),
+    word: signal(""), // by which an effect is looked for
     // Two hypotheses: those that are asked for beside the candidates, the two that are chosen, and both as fitted.
     set_beside: while_of<Checked | null, { labels: readonly string[]; chosen: readonly string[] }>(fitted, { labels: [], chosen: [] }),
     both: while_of<Checked | null, HypothesesPart | null>(fitted, null),

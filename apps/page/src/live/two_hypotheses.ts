@@ -23,7 +23,7 @@ export interface TwoHypothesesOf {
 }
 
 export interface TwoHypotheses {
-  element: HTMLElement;
+  element: HTMLDetailsElement;
   offer(): void; // what can be chosen
   show(): void; // what was compared
   beside(label: string): void; // as the other one

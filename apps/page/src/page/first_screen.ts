@@ -24,11 +24,11 @@ export interface Concluded {
 const said_of = ({ text, messages }: Concluded): Sentence => said(text, messages);
 
 // The rest of what the program concludes; the verdict itself may be told with its target before it.
-const rest_of = (summary: readonly Concluded[], concluded: string): HTMLElement[] => {
+const rest_of = (summary: readonly Concluded[], concluded: string, { unfolded }: Shared): HTMLElement[] => {
   const rest = summary.filter(({ text }) => text !== concluded && !text.endsWith(`: ${concluded}`));
   if (rest.length === 0) return [];
   const head = rest.length === 1 ? t.page_one_more : t.page_more({ n: rest.length });
-  return [folded("summary", [head], rest.map((one) => text_in("p", said_of(one))))];
+  return [folded("summary", unfolded, [head], rest.map((one) => text_in("p", said_of(one))))];
 };
 
 const panel_of = ({ first, figure, proof }: Proved, shared: Shared): { element: HTMLElement; concluded: () => string } => {
@@ -95,7 +95,7 @@ export const first_screen = (
       { class: wide ? "first wide" : "first", "aria-label": t.page_verdict },
       ...chooser(proved, elements),
       ...elements,
-      ...rest_of(summary, panels[0]?.concluded() ?? ""),
+      ...rest_of(summary, panels[0]?.concluded() ?? "", shared),
     ),
   ];
 };

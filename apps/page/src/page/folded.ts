@@ -1,6 +1,6 @@
 // Parts of the page that are folded until they are wanted: by a click or a key, by a link to them, or on paper. What is
 // folded now is folded again when the page is opened the next time.
-import { element } from "../elements/elements";
+import { element, kept_open } from "../elements/elements";
 
 interface Fold {
   id: string;
@@ -40,8 +40,8 @@ if (typeof document !== "undefined") {
 }
 
 // id: of what a link may name.
-export const folded = (id: string, head: readonly (Node | string)[], parts: readonly Node[]): HTMLDetailsElement => {
-  const made = element("details", { class: "folded" }, element("summary", {}, ...head), ...parts);
+export const folded = (id: string, unfolded: Set<string>, head: readonly (Node | string)[], parts: readonly Node[]): HTMLDetailsElement => {
+  const made = kept_open(element("details", { class: "folded" }, element("summary", {}, ...head), ...parts), id, unfolded);
   if (location.hash === `#${id}`) made.open = true;
   folds.add({ id, made, closed: false });
   return made;

@@ -118,7 +118,7 @@ export const section_of = (section: Section, on_first_screen: boolean, shared: S
   const made = element(
     "section",
     { id: section.id, "aria-labelledby": `${section.id}-heading` },
-    folded(section.id, head, [...sentences_of(section, shared), ...parts.rest]),
+    folded(section.id, shared.unfolded, head, [...sentences_of(section, shared), ...parts.rest]),
   );
   return { element: made, proof: parts.proof, figure: proof === undefined ? undefined : shared.figures.get(proof) };
 };

@@ -1,4 +1,5 @@
-// What the figures of a page have in common: light or dark, and the window of those over time.
+// What the figures of a page have in common: light or dark, the window of those over time, and what a reader chose in each,
+// which outlives them: in another language, or with another model, they are made anew.
 import type { Figure } from "../figure/figure";
 import { without_turns } from "../drawing/text";
 import type { PageState } from "../figure/view";
@@ -6,8 +7,10 @@ import type { PageAction, Range } from "../picture";
 
 export interface Shared extends PageState {
   readonly figures: ReadonlyMap<string, Figure>;
+  unfolded: Set<string>; // sections, by their ids
   add(figure: Figure): void;
   clear(but?: readonly Figure[]): void; // the page goes on without its figures, or with some of them
+  forget(): void; // what was chosen: other data will be shown
   look(dark: boolean): void;
   // What does it on this page; null: nothing does, for these data. Where it is not there, commands are copied.
   doing?: (action: PageAction | null) => (() => void) | null;
@@ -22,6 +25,8 @@ export const shared_by_figures = (voice: HTMLElement): Shared => {
 
   return {
     figures,
+    states: new Map(),
+    unfolded: new Set(),
     dark: () => dark,
     time_window: () => time_window,
     time_whole() {
@@ -38,6 +43,10 @@ export const shared_by_figures = (voice: HTMLElement): Shared => {
     clear(but = []) {
       for (const figure of figures.values()) if (!but.includes(figure)) figure.leave();
       figures.clear();
+    },
+    forget() {
+      this.states = new Map(); // those of before may still write theirs
+      this.unfolded = new Set();
       time_window = null;
     },
     look(dark_now) {
@@ -47,25 +56,5 @@ export const shared_by_figures = (voice: HTMLElement): Shared => {
     say(text) {
       voice.textContent = without_turns(text);
     },
-  };
-};
-
-// What a reader chose, zoomed, switched off and unfolded, for when the page is written anew in another language.
-
-const unfolded = "section[id]:has(> details[open])";
-
-// Returns what brings it back, once the new page stands in the place of the old one.
-export const kept_view = (shared: Shared): (() => void) => {
-  const states = [...shared.figures].map(([name, figure]) => ({ name, state: figure.state() }));
-  const ids = [...document.querySelectorAll(unfolded)].map(({ id }) => id);
-  const [window, top] = [shared.time_window(), scrollY];
-  return () => {
-    for (const id of ids) document.getElementById(id)?.querySelector(":scope > details")?.setAttribute("open", "");
-    for (const { name, state } of states) {
-      const figure = shared.figures.get(name);
-      if (figure && figure.state() !== state) figure.take(state);
-    }
-    shared.see_time(window);
-    scrollTo({ top, behavior: "instant" });
   };
 };
