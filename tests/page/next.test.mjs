@@ -186,6 +186,21 @@ test("gaps of a signal: the longest is offered at once, one click fits across al
   await close();
 });
 
+test("wild readings are set aside without being asked, and said; the fit is as without them", async () => {
+  const { page, wrong, close } = await live();
+  const text = bearing_alone();
+  await drop(page, { "wild.csv": text.split("\n").map((line, k) => ([400, 900].includes(k) ? line.replace(/[^,]*$/, k === 400 ? "900" : "-750") : line)).join("\n") });
+  await at_rest(page);
+  await searched(page);
+  assert.match(await said(page), /Set aside, far from their neighbours: 2 readings of z_um/);
+  await next(page).click();
+  await page.waitForSelector('.live-loop[data-revisions="2"]', { timeout: kLong });
+  await at_rest(page);
+  assert.ok((await rmse(page)) < 0.4, String(await rmse(page)));
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
 test("a header that was found wrongly is told by its line; the unit of counts is told; both are read at once", async () => {
   const random = noise(9);
   const rows = Array.from({ length: 300 }, (_, k) => `${10 * k};${bearing(k).toFixed(2)};${(22 + Math.sin(k / 30)).toFixed(2)};${(0.2 * (bearing(k) - 20) + 0.05 * random()).toFixed(3)}`).join("\n");
@@ -238,4 +253,25 @@ test("a record of weeks has days on its axis and in its words, one of a day hour
     assert.deepEqual(wrong, []);
     await close();
   }
+});
+
+test("a record of 46 h: how far the search is and what it knows so far, then the verdict", async () => {
+  const { page, wrong, close } = await live();
+  await drop(page, { "measured.csv": readFileSync(of_run("spindle-46h", "measured.csv"), "utf8"), "ch5.toml": readFileSync(of_run("spindle-46h", "ch5.toml"), "utf8") });
+  await page.evaluate(() => {
+    window.seen = [];
+    new MutationObserver(() => {
+      const [said, work] = [".live-loop .said", ".live-work .what"].map((one) => document.querySelector(one)?.textContent ?? "");
+      window.seen.push(said, work);
+    }).observe(document.body, { childList: true, characterData: true, subtree: true });
+  });
+  await page.waitForSelector(".live-loop", { timeout: kLong });
+  await at_rest(page);
+  if ((await page.getAttribute(".live-loop", "data-search")) !== "done") await searched(page);
+  const seen = await page.evaluate(() => window.seen);
+  assert.ok(seen.some((text) => /^So far most likely: .+\. The search goes on\.$/.test(text)));
+  assert.ok(seen.some((text) => /^Searching what is missing.*\d+ %/.test(text)), [...new Set(seen)].join("\n").slice(0, 2000));
+  assert.doesNotMatch(await said(page), /So far most likely/);
+  assert.deepEqual(wrong, []);
+  await close();
 });
