@@ -70,9 +70,8 @@ class TimeFinder {
   [[noreturn]] void fail(const std::string& expected, const std::string& found, const std::string& mend,
                          std::vector<std::string> options) const {
     const std::size_t line = shape_.header_line > 0 ? shape_.header_line : shape_.first_row_line;
-    throw OptionError(
-        fmt::format("{}:{}: expected {}, found {}{}.", name_, line, expected, found, advised("; " + mend)),
-        std::move(options));
+    throw OptionError(fmt::format("{}:{}: expected {}, found {}{}.", name_, line, expected, found, mend),
+                      std::move(options));
   }
 
   template <class Suits>
@@ -94,7 +93,7 @@ class TimeFinder {
     std::vector<std::string_view> known;
     for (const auto& header : headers) known.emplace_back(header.first);
     fail(fmt::format("a column {} for the time", in_quotes(recipe_.time)), "none",
-         fmt::format("the nearest is {}", in_quotes(nearest_name(recipe_.time, known))));
+         fmt::format("; the nearest is {}", in_quotes(nearest_name(recipe_.time, known))), {"time"});
   }
 
   // A number of time that runs as long as the stamps do.
@@ -345,7 +344,8 @@ class TimeFinder {
     }
     if (!sample.mostly(sample.stamps + sample.dates + sample.clocks)) {
       fail(fmt::format("times in the column {}", in_quotes(plan_.columns[i].source)), "other text",
-           "name another with --time, or give the interval with --every, such as --every 1s", {"time", "every"});
+           advised("; name another with --time, or give the interval with --every, such as --every 1s"),
+           {"time", "every"});
     }
     of_stamp(i);
   }
@@ -366,7 +366,7 @@ class TimeFinder {
     const auto unit_s = unit_of_number(i);
     if (!unit_s) {
       fail(fmt::format("the unit of the time {}", in_quotes(column.source)), "none",
-           "state --time-unit s, ms, min, h or d", {"time-unit"});
+           advised("; state --time-unit s, ms, min, h or d"), {"time-unit"});
     }
     time.unit_s = *unit_s;
     time.resolution_s = *unit_s == 1.0 ? 0.0 : 1e-9;

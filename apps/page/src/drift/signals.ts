@@ -5,14 +5,14 @@ import type { First, Picture, Range, Section } from "../picture";
 import type { Column, Report } from "../report";
 import { started_of } from "../report";
 import { capital, clamped, plain, slug, split_name, words } from "../drawing/text";
-import { minutes, rounded, shown } from "../drawing/theme";
+import { minutes, rounded, shown, time_text } from "../drawing/theme";
 import { named as named_of, t } from "../texts/texts";
 import { time_curves, type TimeCurve, type TimeCurves } from "./time_curves";
 import { whole_min } from "../drawing/axes";
 
 const counted = (n: number, text: (counted: { n: number }) => string): string[] => (n === 0 ? [] : [text({ n })]);
 
-// "5 measured columns, 16 temperatures, 1 speed over 1664 min"
+// "5 measured columns, 16 temperatures, 1 speed over 27 h 44 min"
 const result_of = (signals: readonly Signal[], span_min: number): string => {
   const rest = signals.filter((signal) => !measured(signal));
   const of = (unit: string): number => rest.filter(({ column }) => column.unit === unit).length;
@@ -23,7 +23,7 @@ const result_of = (signals: readonly Signal[], span_min: number): string => {
     ...counted(speeds, t.drift_count_speeds),
     ...counted(rest.length - warm - speeds, t.drift_count_others),
   ];
-  return t.drift_signals_result({ counts: all.join(", "), minutes: shown(span_min, 0) });
+  return t.drift_signals_result({ counts: all.join(", "), time: time_text(span_min, 0) });
 };
 
 // "y changes most: by 31.7 µm, from -0.2 to 31.5"

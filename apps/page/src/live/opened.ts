@@ -83,13 +83,15 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
     read: (group, as) => open(group, { ...(last?.group.key === group.key ? (subject ?? last) : {}), ...as, target: "" }),
   });
 
+  // Why, with files by their own names.
+  const why = (error: unknown): string => intake.held().reduce((text, { path, name }) => text.replaceAll(path, name), reason(error));
   const attempt = async (act: () => Promise<void>): Promise<void> => {
     tell("");
     try {
       await act();
     } catch (error) {
-      if (report) tell(reason(error));
-      else leave(reason(error));
+      if (report) tell(why(error));
+      else leave(why(error));
     }
   };
 
@@ -144,7 +146,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       answer_of(await work.run(["report", path, "--json"], { what: () => t.live_checking({ name: path }) }));
       return "";
     } catch (error) {
-      if (error instanceof Refused) return reason(error);
+      if (error instanceof Refused) return why(error);
       throw error;
     }
   };
@@ -246,8 +248,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       if (data.length > 0) return await open(group_of(group.title, held, data), { model, log: read.log });
       show_alone({ group, data: [], model: "", target: "", compared: [], view: "", tolerance_um: null, log: [], targets: [], left_out: [] }, read.report);
     } catch (error) {
-      intake.faults().set(file.path, reason(error));
-      leave(reason(error));
+      intake.faults().set(file.path, why(error));
+      leave(why(error));
     }
   };
 
@@ -290,7 +292,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         // Not of one kind after all: the first by itself.
         const alone = group.kind === "runs" && group.data.length > 1 ? groups().find(({ key }) => key === group.data[0]) : undefined;
         if (alone) {
-          tell(reason(error));
+          tell(why(error));
           return open(alone);
         }
         const several = group.kind === "recordings" && group.data.length > 1;
@@ -298,8 +300,8 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
         if (sound.data.length > 0 && sound.data.length < group.data.length) {
           return show({ ...next, group: sound, data: sound.data });
         }
-        if (sound === group) intake.faults().set(group.files[0]?.path ?? group.key, reason(error));
-        leave(reason(error));
+        if (sound === group) intake.faults().set(group.files[0]?.path ?? group.key, why(error));
+        leave(why(error));
       }
     });
 

@@ -27,9 +27,11 @@ export const is_scaled = (checked: Checked, one: Parameter, gains: Gains): boole
   );
 };
 
+const kRun = "run"; // the number of a run, which nobody fits
+
 // With a slider. Circles of recordings are fitted to what is left in any case.
 export const free_parameters = ({ level, parameters }: Checked, catalogue: Catalogue): Parameter[] =>
-  parameters.filter(({ value, effect, name }) => value !== null && (level === "series" || catalogue.parameter(effect ?? "", name)));
+  parameters.filter(({ value, effect, name }) => value !== null && name !== kRun && (level === "series" || catalogue.parameter(effect ?? "", name)));
 
 export const gains_of = ({ parameters }: Checked, catalogue: Catalogue): Gains =>
   new Set(parameters.filter(({ effect, name }) => name === kConstant || catalogue.parameter(effect ?? "", name)?.kind === "gain").map(key_of));

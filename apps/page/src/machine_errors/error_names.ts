@@ -54,9 +54,9 @@ export const typed_name = (typed: string, most: number): string => {
 };
 
 // An effect in the page's language, without the name that is typed: "delayed expansion (T_room_degC)". An element that
-// shows it says the typed one in its title.
+// shows it says the typed one in its title. One of a run has its number, "offset_of_run 2".
 export const plain_name = (label: string, most: number): string => {
-  const [, id = "", columns = ""] = /^(\w+)\s*(\(.*)?$/s.exec(label) ?? [];
+  const [, id = "", columns = ""] = /^(\w+)\s*(\(.*|\d+)?$/s.exec(label) ?? [];
   if (!Object.hasOwn(t.effects, id)) return typed_name(label, most);
   return plain(`${named(t.effects, id)}${columns === "" ? "" : ` ${columns}`}`, most);
 };
