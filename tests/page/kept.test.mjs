@@ -45,6 +45,35 @@ test("Close asks where something is in no file, by keyboard too; else it closes"
   await close();
 });
 
+test("closed while an effect is added: nothing is left of it, and the page goes on", async () => {
+  const { page, wrong, close } = await live();
+  const open = async () => {
+    await page.getByRole("button", { name: "hidden-effect", exact: true }).click();
+    await page.waitForSelector(".live-candidates .plus", { timeout: kLong });
+  };
+  await open();
+  await page.evaluate(() => {
+    document.querySelector(".live-candidates .plus").click();
+    const shown = document.querySelector(".live-fall .rmse");
+    const before = shown.textContent;
+    const watching = new MutationObserver(() => {
+      if (shown.textContent === before) return;
+      watching.disconnect();
+      [...document.querySelectorAll(".live-bar button")].find((one) => one.textContent === "Close").click();
+      setTimeout(() => document.querySelector("dialog.live-question button:last-of-type")?.click(), 20);
+    });
+    watching.observe(shown, { childList: true });
+  });
+  await page.waitForSelector(".live-start:not([hidden]) .drop", { timeout: kLong });
+  await page.waitForTimeout(500);
+  assert.equal(await page.textContent(".live-told"), "");
+  await open();
+  await at_rest(page);
+  assert.match(await page.textContent(".live-fall .rmse"), /RMSE 1\.36/);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
 test("after a reload, other files do not delete what was kept without a question", async () => {
   const { page, wrong, close } = await changed();
   await page.reload();

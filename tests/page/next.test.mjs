@@ -192,7 +192,7 @@ test("wild readings are set aside without being asked, and said; the fit is as w
   await drop(page, { "wild.csv": text.split("\n").map((line, k) => ([400, 900].includes(k) ? line.replace(/[^,]*$/, k === 400 ? "900" : "-750") : line)).join("\n") });
   await at_rest(page);
   await searched(page);
-  assert.match(await said(page), /Set aside, far from their neighbours: 2 readings of z_um/);
+  assert.match(await said(page), /^2 readings far from the others are set aside\. .*front_bearing_degC.* sure/);
   await next(page).click();
   await page.waitForSelector('.live-loop[data-revisions="2"]', { timeout: kLong });
   await at_rest(page);

@@ -1,7 +1,7 @@
 // The open data: a group of files with its report and its interactive model, and the faults of files.
 import { catalogue_of } from "./catalogue";
 import { type Columns, columns_with } from "./columns";
-import { answer_of, look_words, reason, Refused, type Runs, type Subject, type Work } from "./runs";
+import { answer_of, Interrupted, look_words, reason, Refused, type Runs, type Subject, type Work } from "./runs";
 import { with_said } from "./log_words";
 import type { Engine, Sample } from "../engine";
 import { type Group, groups_of, type Held, is_within, last_part } from "./files";
@@ -85,11 +85,15 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
 
   // Why, with files by their own names.
   const why = (error: unknown): string => intake.held().reduce((text, { path, name }) => text.replaceAll(path, name), reason(error));
+  // One that the next stopped has nothing to tell.
+  let attempts = 0;
   const attempt = async (act: () => Promise<void>): Promise<void> => {
+    const mine = ++attempts;
     tell("");
     try {
       await act();
     } catch (error) {
+      if (error instanceof Interrupted && mine !== attempts) return;
       if (report) tell(why(error));
       else leave(why(error));
     }
@@ -194,7 +198,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
       add_figure: (figure) => page.add(figure),
       changed(now, next) {
         if (loop !== made) return; // an answer about what is no longer open
-        if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) void note_change(next.model);
+        if (next.model !== "" && report !== now && (report !== null || next.model !== subject?.model)) note_change(next.model).catch(() => undefined); // it was closed meanwhile
         const again = report !== null;
         report = now;
         subject = next;
