@@ -176,7 +176,7 @@ int program(const std::vector<std::string>& words) {
     error_line(error.what());
     return 2;
   } catch (const std::exception& error) {  // Error; out of memory, a full disk
-    fault_line(error);
+    error_line(error.what());
     return 1;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <set>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/fit/fit.hpp"
 #include "ballbar/formats/models/model_history.hpp"
@@ -207,14 +206,9 @@ Paragraph next_test(const DiagnosisReport& diagnosis_report) {
   if (found.verdict == Verdict::named && found.equivalent.empty()) return {};  // nothing is left to tell
   if (diagnosis_report.next_measurement) return message_of(*diagnosis_report.next_measurement);
   Paragraph text;
-  if (diagnosis_report.is_for_plan) {
-    text += messages::decide_by_run();
-    if (is_advised()) text += messages::decide_by_plan();
-  }
-  for (const std::vector<std::string>& columns : equal_columns_in_question(found)) {
+  if (diagnosis_report.is_for_plan) text += messages::decide_by_run();
+  for (const std::vector<std::string>& columns : equal_columns_in_question(found))
     text += messages::decide_equal_columns(enumerated({columns.begin(), columns.end()}));
-    if (is_advised()) text += messages::decide_by_leave_out();
-  }
   return text;
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/diagnosis/signatures/search.hpp"
 #include "ballbar/internal/number_text.hpp"
 #include "ballbar/message_catalogue.hpp"
@@ -305,10 +304,7 @@ Paragraph of_verdict(const Diagnosis& d) {
 
 std::vector<Paragraph> not_used_sentences(const Diagnosis& d) {
   std::vector<Paragraph> sentences;
-  if (!d.has_clock) {
-    Paragraph& no_clock = sentences.emplace_back(messages::no_clock());
-    if (is_advised()) no_clock += messages::clock_by_every();
-  }
+  if (!d.has_clock) sentences.emplace_back(messages::no_clock());
   for (const ColumnNotSearched& one : d.columns_not_searched)
     sentences.emplace_back(messages::not_searched(one.column, why_not_searched(one)));
   for (const CoarseColumn& one : d.coarse_columns) {

@@ -8,7 +8,6 @@
 #include <cctype>
 #include <filesystem>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/model/effect_argument.hpp"
 #include "ballbar/internal/nearest_name.hpp"
@@ -93,11 +92,11 @@ void expect_known_effect(const std::string& word) {
 
 void expect_one_target(const ModelOptions& options, const Model& model) {
   if (model.targets.size() == 1) return;
-  throw Error(fmt::format("{}: expected one target, by which effects are judged, found {}{}.",
+  throw Error(fmt::format("{}: expected one target, by which effects are judged, found {}; --target chooses one.",
                           !options.target.empty() ? "--target"
                           : options.model.empty() ? options.data.front().name()
                                                   : options.model.name(),
-                          fmt::join(model.targets, ", "), advised("; --target chooses one")));
+                          fmt::join(model.targets, ", ")));
 }
 
 std::vector<Term> terms_of(const std::vector<std::string>& effects, const Model& model, const ModelData& data) {

@@ -9,7 +9,6 @@
 #include <memory>
 #include <utility>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/column_named.hpp"
 #include "ballbar/formats/models/model_toml.hpp"
@@ -57,7 +56,6 @@ auto with_option(std::string_view option, Work work) {
   try {
     return work();
   } catch (const Error& error) {
-    if (!is_advised()) throw;
     throw Error(fmt::format("{}: {}", option, error.what()));
   }
 }
@@ -134,9 +132,10 @@ std::vector<Source> with_stated_targets(const ModelOptions& options) {
 
 void expect_clock(const ModelData& data, std::string_view what) {
   if (data.series->has_clock) return;
-  throw OptionError(fmt::format("{}: expected data with a clock {}, found numbered rows{}.", data.title, what,
-                                advised("; --every 10s states how far apart they are")),
-                    {"every"});
+  throw Error(
+      fmt::format("{}: expected data with a clock {}, found numbered rows; --every 10s states how far apart they "
+                  "are.",
+                  data.title, what));
 }
 
 void add_max_gap(CLI::App& command, std::optional<double>& max_gap_s) {
@@ -231,9 +230,8 @@ Model open_model(const ModelOptions& options, const ModelData& data) {
   model = with_held_values(with_run_terms(std::move(model), *data.series), held);
   choose_targets(model, options, *data.series);
   if (model.targets.empty())
-    throw Error(
-        fmt::format("{}: expected a measured column to explain, found none{}.", data.title,
-                    advised(fmt::format("; --target names one, of {}", fmt::join(column_names(*data.series), ", ")))));
+    throw Error(fmt::format("{}: expected a measured column to explain, found none; --target names one, of {}.",
+                            data.title, fmt::join(column_names(*data.series), ", ")));
   expect_model_suits(model, options, data);
   expect_also_inputs(options, model, *data.series);
   for (const std::string& target : model.targets) {
@@ -254,8 +252,8 @@ void say_start(const ModelOptions& options, const ModelData& data) {
 void expect_no_target(const std::string& label, const std::vector<std::string>& columns, const Model& model) {
   for (const std::string& column : columns) {
     if (!is_in(model.not_inputs, column)) continue;
-    throw Error(fmt::format("{}: expected an input that is no target, found {}{}.", label, in_quotes(column),
-                            advised(fmt::format("; --also-input {} takes it for one", column))));
+    throw Error(fmt::format("{}: expected an input that is no target, found {}; --also-input {} takes it for one.",
+                            label, in_quotes(column), column));
   }
 }
 

@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/formats/logs/log.hpp"
 #include "ballbar/internal/number_text.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
@@ -122,8 +121,10 @@ void say_place(const std::string& name, const ContinuedRun& run, const Series& o
                                   name, rows_text(before)));
   }
   if (left_out > 0) {
-    remarks.push_back(fmt::format("{}: {} left out, because an input has no value there.{}", name, rows_text(left_out),
-                                  advised(" State a longer --max-gap to interpolate.")));
+    remarks.push_back(
+        fmt::format("{}: {} left out, because an input has no value there. State a longer --max-gap to "
+                    "interpolate.",
+                    name, rows_text(left_out)));
   }
   if (run.pause_s > std::max(600.0, 3.0 * median_step_s(of_fit.time_s))) {
     remarks.push_back(fmt::format("{}: begins {} after the fit. The inputs are taken as straight lines in between.",

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "ballbar/advice.hpp"
 #include "commands.hpp"
 #include "model/model_options.hpp"
 #include "plan/plan_files.hpp"
@@ -98,17 +97,16 @@ void run(PlanArguments options) {
   }
   const ModelData data = open_data(options.model);
   if (data.level == Level::recording) {
-    throw Error(fmt::format(
-        "{}: expected a series or a session of drift, found recordings{}.", options.model.data.front().name(),
-        advised("; `ballbar errors` says of a ballbar test what is out, `ballbar diagnose` of a rotating axis "
-                "which circles to drive next")));
+    throw Error(
+        fmt::format("{}: expected a series or a session of drift, found recordings; `ballbar errors` says of a "
+                    "ballbar test what is out, `ballbar diagnose` of a rotating axis which circles to drive next.",
+                    options.model.data.front().name()));
   }
   expect_clock(data, "to plan from");
   const Model model = open_model(options.model, data);
   say_start(options.model, data);
   if (model.targets.size() != 1) {
-    throw Error(fmt::format("expected one target to plan for, found {}{}.", model.targets.size(),
-                            advised("; --target chooses one")));
+    throw Error(fmt::format("expected one target to plan for, found {}; --target chooses one.", model.targets.size()));
   }
   options.plan.search.catalogue = options.model.catalogue;
   const ProgressLine line;

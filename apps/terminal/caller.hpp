@@ -5,16 +5,14 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace ballbar {
 
 // Functions that replace the output streams; an empty one leaves the stream.
 struct Caller {
-  std::function<void(const nlohmann::ordered_json& json)> result;      // of a command with --json
-  std::function<void(const std::string& line)> remark;                 // a line of the standard error
-  std::function<void(const std::string& file)> wrote;                  // a file that was written
-  std::function<void(const std::vector<std::string>& options)> mends;  // those that put right what was told last
+  std::function<void(const nlohmann::ordered_json& json)> result;  // of a command with --json
+  std::function<void(const std::string& line)> remark;             // a line of the standard error
+  std::function<void(const std::string& file)> wrote;              // a file that was written
   // The progress line, which the next one replaces: text, or JSON with the results so far; empty: end.
   std::function<void(std::string_view line)> progress;
 };

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "ballbar/advice.hpp"
 #include "terminal/caller.hpp"
 
 namespace ballbar {
@@ -46,13 +45,6 @@ void tell(const std::vector<std::string>& remarks) {
 }
 
 void error_line(const std::string& text) { stderr_line(in_colour("1;31", "ballbar:", stderr) + " " + text); }
-
-void fault_line(const std::exception& error) {
-  error_line(error.what());
-  const auto* told = dynamic_cast<const OptionError*>(&error);
-  if (told == nullptr) return;
-  if (const Caller* program = caller(); program != nullptr && program->mends) program->mends(told->options());
-}
 
 void warning_line(const std::string& text) { stderr_line(caller() == nullptr ? in_colour("33", text, stderr) : text); }
 

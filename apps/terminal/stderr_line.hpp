@@ -1,7 +1,6 @@
 // Prints a line on the standard error. Never throws: a failure to print does not stop the program.
 #pragma once
 
-#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +16,6 @@ void wrote_line(const std::string& file);
 void tell(const std::vector<std::string>& remarks);
 // With "ballbar: " in front, in red: an error.
 void error_line(const std::string& text);
-// Likewise why a command was not done. The options of an OptionError go to the caller.
-void fault_line(const std::exception& error);
 
 // The line in yellow: a warning about completed work.
 void warning_line(const std::string& text);

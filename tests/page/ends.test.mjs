@@ -100,24 +100,6 @@ test("a series with a long gap is shown, with why it is not fitted and a step ac
   await close();
 });
 
-test("rows without a clock: what was not searched is said in each language, in none of them for a terminal", async () => {
-  const rows = Array.from({ length: 500 }, (_, k) => [20 + 3 * Math.sin(k / 40), 22 + Math.cos(k / 25), 4 * Math.sin(k / 40) + 0.3 * Math.sin(k * k)].map((one) => one.toFixed(3)).join(","));
-  const { page, wrong, close } = await live();
-  await drop(page, { "rows.csv": `front_degC,room_degC,z_um\n${rows.join("\n")}\n` });
-  await at_rest(page);
-  await page.getByRole("button", { name: "Find what is missing" }).click();
-  await page.waitForSelector('.live-loop[data-search="done"]', { timeout: kLong });
-  await at_rest(page);
-  for (const [language, said] of [["en", /no delay was searched\./], ["de", /keine Verzögerung gesucht\./], ["zh", /未搜索滞后。/]]) {
-    await page.locator(".page-tools select").selectOption(language);
-    await page.waitForSelector(`.live-loop[lang="${language}"]`);
-    assert.deepEqual(await for_terminals(page), [], language);
-    assert.match(await page.innerText(".live-loop .said"), said);
-  }
-  assert.deepEqual(wrong, []);
-  await close();
-});
-
 test("an empty file is told, and the others are read", async () => {
   const { page, wrong, close } = await live();
   await drop(page, { "nothing.csv": "", "00.b5r": [...readFileSync(of_run("qc20-style-b5r", "00.b5r"))] });

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "ballbar/advice.hpp"
 #include "program.hpp"
 #include "report/page_calls.hpp"
 #include "terminal/caller.hpp"
@@ -41,12 +40,7 @@ int with_streams(const char* out, const char* err, Work work) {
   std::cout.clear();
   ballbar::Caller page;
   page.progress = [](std::string_view line) { tell_progress(line.data(), static_cast<int>(line.size())); };
-  page.mends = [](const std::vector<std::string>& options) {
-    const std::string line = nlohmann::json{{"options", options}}.dump() + "\n";
-    std::fputs(line.c_str(), stderr);
-  };
   const ballbar::CalledBy called(page);
-  const ballbar::WithoutAdvice has_fields;
   const int status = work();
   std::cout.flush();
   std::fflush(stdout);
@@ -71,7 +65,7 @@ extern "C" EMSCRIPTEN_KEEPALIVE int ballbar_call(const char* call, const char* o
       ballbar::print_json(calls.answer(nlohmann::json::parse(call)), -1);
       return 0;
     } catch (const std::exception& error) {  // Error; out of memory
-      ballbar::fault_line(error);
+      ballbar::error_line(error.what());
       return 1;
     }
   });

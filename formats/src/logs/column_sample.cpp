@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
 #include "logs/log_cells.hpp"
@@ -185,10 +184,8 @@ void find_decimal(const std::string& name, std::span<const HeadLine> above, cons
     return;
   }
   const auto refuse = [&](const std::string& what, const std::string& found) {
-    throw OptionError(
-        fmt::format("{}:{}: expected {}, found {}.{}", name, example_line > 0 ? example_line : shape.first_row_line,
-                    what, in_quotes(found), advised(" State --decimal comma or --decimal point.")),
-        {"decimal"});
+    throw Error(fmt::format("{}:{}: expected {}, found {}. State --decimal comma or --decimal point.", name,
+                            example_line > 0 ? example_line : shape.first_row_line, what, in_quotes(found)));
   };
   if (sure_comma > 0 && sure_point > 0) {
     // "1.234" of thousands beside "1,5" is sure by the comma; "0.5" beside "0,5" is two hands.

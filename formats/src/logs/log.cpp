@@ -13,7 +13,6 @@
 #include <system_error>
 #include <utility>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/text/file_bytes.hpp"
 #include "ballbar/internal/nearest_name.hpp"
@@ -100,8 +99,8 @@ void say_lines(const LogTable& table, const TimePlan& time, Log& log) {
     log.remarks.push_back(
         fmt::format("{0} rises like a time. State --time {0} --time-unit s if it is one in s.", time.likely));
   if (time.two_fields_are_hours && table.elapsed && !table.first_day)
-    log.remarks.push_back(fmt::format("{} is read as hours and minutes.{}", time.text,
-                                      advised(" State --time-unit min where 5:10 is five minutes.")));
+    log.remarks.push_back(
+        fmt::format("{} is read as hours and minutes. State --time-unit min where 5:10 is five minutes.", time.text));
   const auto lines = [](std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "line" : "lines"); };
   if (table.other_lines > 0)
     log.remarks.push_back(
@@ -370,17 +369,16 @@ Log one_log(const Source& source, const LogRecipe& recipe, bool joined) {
       return log_of(Source::of_text(text->name, std::move(text->text)), tabs, joined);
     } catch (const Error& error) {
       if (text->sheet.empty()) throw;
-      throw OptionError(fmt::format("{} In the sheet {}.{}", error.what(), in_quotes(text->sheet),
-                                    advised(" Choose another with --sheet.")),
-                        {"sheet"});
+      throw Error(
+          fmt::format("{} In the sheet {}. Choose another with --sheet.", error.what(), in_quotes(text->sheet)));
     }
   }();
   log.shape = text->shape;
   log.sheet = text->sheet;
   log.sheets = std::move(text->sheets);
   if (recipe.sheet.empty() && log.sheets.size() > 1) {
-    log.remarks.push_back(fmt::format("One of {} sheets is read, {}.{}", log.sheets.size(), in_quotes(log.sheet),
-                                      advised(" Choose another with --sheet.")));
+    log.remarks.push_back(fmt::format("One of {} sheets is read, {}. Choose another with --sheet.", log.sheets.size(),
+                                      in_quotes(log.sheet)));
   }
   log.recipe.delimiter.reset();
   log.recipe.decimal.reset();

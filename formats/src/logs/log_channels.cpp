@@ -9,7 +9,6 @@
 #include <tuple>
 #include <utility>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
@@ -110,12 +109,9 @@ bool are_channels(const LogTable& table, const LogPlan& plan, const Evidence& ev
   }
   if (jump >= kJump || jump <= kNoJump) return jump >= kJump;
   throw Error(fmt::format(
-      "{}:{}: expected rows of one layout, found that they are one table or {} channels below each other, named in "
-      "{}.{}",
-      name, table.line_of(0), channels, in_quotes(names.source),
-      is_advised()
-          ? fmt::format(" For one table use --leave-out {}; else export a column for each channel.", names.source)
-          : " For one table leave out that column; else export a column for each channel."));
+      "{}:{}: expected rows of one layout, found that they are one table or {} channels below each other, named in {}. "
+      "For one table use --leave-out {}; else export a column for each channel.",
+      name, table.line_of(0), channels, in_quotes(names.source), names.source));
 }
 
 }  // namespace

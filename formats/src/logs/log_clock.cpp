@@ -9,7 +9,6 @@
 #include <numeric>
 #include <utility>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
 #include "logs/time_stamp.hpp"
@@ -110,11 +109,11 @@ class Clock {
         std::count_if(time_s.begin() + 1, time_s.end(),
                       [before = time_s.front()](double t) mutable { return std::exchange(before, t) == t; }));
     if (is_dates_alone() && 2 * again > time_s.size()) {
-      throw OptionError(
-          fmt::format("{}:{}: expected a clock beside the dates, found {} rows with the date of the row before.{}",
-                      name_, table_.line_of(0), again,
-                      advised(" State how far apart they are, --every 5min, or --time none.")),
-          {"every", "time"});
+      throw Error(
+          fmt::format("{}:{}: expected a clock beside the dates, found {} rows with the date of the row before. State "
+                      "how far apart "
+                      "they are, --every 5min, or --time none.",
+                      name_, table_.line_of(0), again));
     }
     const double resolution_s = resolution(time_s);
     std::size_t rows = 0;

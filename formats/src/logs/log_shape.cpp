@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
 #include "logs/column_sample.hpp"
@@ -60,9 +59,8 @@ void expect_header_line(std::vector<HeadLine>& lines, const std::string& name, c
   const auto header =
       std::find_if(lines.begin(), lines.end(), [&](const HeadLine& line) { return line.number == recipe.header_line; });
   if (header == lines.end() || is_blank(header->text)) {
-    throw OptionError(fmt::format("{}:{}: expected the names of the columns{}, found no text.", name,
-                                  recipe.header_line, advised(", as --header-line states")),
-                      {"header-line"});
+    throw Error(fmt::format("{}:{}: expected the names of the columns, as --header-line states, found no text.", name,
+                            recipe.header_line));
   }
   lines.erase(lines.begin(), header);
 }

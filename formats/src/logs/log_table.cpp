@@ -13,7 +13,6 @@
 #include <span>
 #include <utility>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
 #include "logs/lines_between.hpp"
@@ -141,12 +140,8 @@ class Table {
     const std::size_t bad = skipped + table_.cut_lines.size();
     const std::size_t all = table_.rows + (plan_.time.kind == TimePlan::Kind::rows ? 0 : skipped);
     if (recipe_.skip_bad_rows || (bad <= kFreeRows + all / 100 && bad * 10 <= all)) return std::move(table_);
-    if (bad == 1)
-      throw OptionError(fmt::format("{}{}", fault, advised(" Use --skip-bad-rows to omit the row.")),
-                        {"skip-bad-rows"});
-    throw OptionError(
-        fmt::format("{} This affects {} of {} rows.{}", fault, bad, all, advised(" Use --skip-bad-rows to omit them.")),
-        {"skip-bad-rows"});
+    if (bad == 1) throw Error(fmt::format("{} Use --skip-bad-rows to omit the row.", fault));
+    throw Error(fmt::format("{} This affects {} of {} rows. Use --skip-bad-rows to omit them.", fault, bad, all));
   }
 
   // Words without a digit where a number is expected, in more than one row each, if rows were lost to nothing else.
@@ -338,10 +333,9 @@ class Table {
     if (bad) {
       const std::string_view word = trimmed_cell(bad_cell);
       if (std::none_of(word.begin(), word.end(), is_digit)) ++bad_words_[std::string(word)];
-      return skip(
-          fmt::format("expected a number for {}, found {}.{}", in_quotes(plan_.columns[*bad].source),
-                      in_quotes(trimmed_cell(bad_cell)), advised(" Use --missing to read such a text as a gap.")),
-          line);
+      return skip(fmt::format("expected a number for {}, found {}. Use --missing to read such a text as a gap.",
+                              in_quotes(plan_.columns[*bad].source), in_quotes(trimmed_cell(bad_cell))),
+                  line);
     }
     if (more && !is_remark(rest)) {
       return skip(fmt::format("expected {} values, one for each column, found more: {}.", plan_.columns.size(),
@@ -608,15 +602,10 @@ LogTable log_table(const Source& source, const LogShape& shape, LogPlan& plan, c
         plan.time.order = DateOrder::day_first;
         return table.taken();
       }
-      throw OptionError(
-          fmt::format("{}:{}: expected an unambiguous date, found {}.{}{}", name, table.first_either_line_,
-                      in_quotes(table.first_either_),
-                      table.table_.lacks_year ? ""
-                      : is_advised()          ? " The third number is the year;"
-                                              : " The third number is the year.",
-                      advised(table.table_.lacks_year ? " State --dates day-first or --dates month-first."
-                                                      : " state --dates day-first or --dates month-first.")),
-          {"dates"});
+      throw Error(
+          fmt::format("{}:{}: expected an unambiguous date, found {}. {}tate --dates day-first or --dates month-first.",
+                      name, table.first_either_line_, in_quotes(table.first_either_),
+                      table.table_.lacks_year ? "S" : "The third number is the year; s"));
     }
     if (plan.time.order == DateOrder::day_first) return table.taken();
   }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
 #include "logs/log_interval.hpp"
@@ -67,11 +66,9 @@ class TimeFinder {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& expected, const std::string& found, const std::string& mend,
-                         std::vector<std::string> options) const {
+  [[noreturn]] void fail(const std::string& expected, const std::string& found, const std::string& mend) const {
     const std::size_t line = shape_.header_line > 0 ? shape_.header_line : shape_.first_row_line;
-    throw OptionError(fmt::format("{}:{}: expected {}, found {}{}.", name_, line, expected, found, mend),
-                      std::move(options));
+    throw Error(fmt::format("{}:{}: expected {}, found {}; {}.", name_, line, expected, found, mend));
   }
 
   template <class Suits>
@@ -344,8 +341,7 @@ class TimeFinder {
     }
     if (!sample.mostly(sample.stamps + sample.dates + sample.clocks)) {
       fail(fmt::format("times in the column {}", in_quotes(plan_.columns[i].source)), "other text",
-           advised("; name another with --time, or give the interval with --every, such as --every 1s"),
-           {"time", "every"});
+           "name another with --time, or give the interval with --every, such as --every 1s");
     }
     of_stamp(i);
   }
@@ -366,7 +362,7 @@ class TimeFinder {
     const auto unit_s = unit_of_number(i);
     if (!unit_s) {
       fail(fmt::format("the unit of the time {}", in_quotes(column.source)), "none",
-           advised("; state --time-unit s, ms, min, h or d"), {"time-unit"});
+           "state --time-unit s, ms, min, h or d");
     }
     time.unit_s = *unit_s;
     time.resolution_s = *unit_s == 1.0 ? 0.0 : 1e-9;

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
 #include "ballbar/units.hpp"
@@ -81,18 +80,17 @@ NominalRadius nominal_radius(std::string_view name, const ColumnTable& table, co
   };
   if (stated.radius_mm) {
     if (agrees(stated.radius_mm)) return {*stated.radius_mm};
-    throw OptionError(
-        fmt::format("{}: expected a circle of about the nominal radius {:g} mm that {}, found one of {:.4f} mm.", name,
-                    *stated.radius_mm, is_advised() ? "--radius states" : "is stated", *radius_mm),
-        {"radius"});
+    throw Error(
+        fmt::format("{}: expected a circle of about the nominal radius {:g} mm that --radius states, found one of "
+                    "{:.4f} mm.",
+                    name, *stated.radius_mm, *radius_mm));
   }
   const std::optional<double> in_header = stated_radius_mm(table.preamble);
   if (agrees(in_header)) return {*in_header};
   if (agrees(commanded_mm)) return {std::round(1e3 * *commanded_mm) / 1e3};
   if (radius_mm) return {std::max(1.0, std::round(*radius_mm)), true};
-  throw OptionError(fmt::format("{}: expected the nominal radius of this circle, found only deviations.{}", name,
-                                advised(" State it, as in --radius 100mm.")),
-                    {"radius"});
+  throw Error(fmt::format(
+      "{}: expected the nominal radius of this circle, found only deviations. State it, as in --radius 100mm.", name));
 }
 
 // The first column of time; empty where there is none, or its unit is not known.

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/ballbar_log.hpp"
 #include "ballbar/formats/text/archive.hpp"
@@ -81,7 +80,7 @@ bool is_of_linear_axes(const Source& file) {
 void expect_readings(const RecordingFile& file, const std::filesystem::path& path) {
   if (!file.recordings.empty()) return;
   throw Error(fmt::format("{}: expected readings, found {}.", path.string(),
-                          file.b5r ? "only stored results" + advised(". Show them with ballbar fit") : "none"));
+                          file.b5r ? "only stored results. Show them with ballbar fit" : "none"));
 }
 
 }  // namespace ballbar

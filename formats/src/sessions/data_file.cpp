@@ -12,7 +12,6 @@
 #include <span>
 #include <system_error>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/logs/log.hpp"
@@ -91,10 +90,11 @@ ModelData data_of_recordings(const std::vector<Source>& sources, std::span<const
 void say_left_out(std::span<const Series> parts, std::optional<double> max_gap_s, ModelData& data) {
   for (const RowsWithout& without : rows_without_signal(parts, max_gap_s)) {
     const bool in_s = without.max_gap_s < 120.0;
-    data.remarks.push_back(fmt::format("{}: {} {} left out, because {} has no value there within {:.10g} {}.{}",
-                                       data.title, without.rows, without.rows == 1 ? "row" : "rows", without.signal,
-                                       in_s ? without.max_gap_s : std::round(without.max_gap_s / 60.0),
-                                       in_s ? "s" : "min", advised(" State a longer --max-gap to interpolate.")));
+    data.remarks.push_back(
+        fmt::format("{}: {} {} left out, because {} has no value there within {:.10g} {}. State a longer --max-gap to "
+                    "interpolate.",
+                    data.title, without.rows, without.rows == 1 ? "row" : "rows", without.signal,
+                    in_s ? without.max_gap_s : std::round(without.max_gap_s / 60.0), in_s ? "s" : "min"));
   }
 }
 

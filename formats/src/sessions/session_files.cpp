@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/formats/recordings/recording_file.hpp"
 #include "ballbar/formats/recordings/stored_errors.hpp"
@@ -214,10 +213,10 @@ StartedTest started_test(const fs::path& path, Readers readers, std::optional<do
   started.test.name = path.filename().string();
   const std::optional<std::int64_t> started_s = started.test.circles.front().started_s;
   if (!started_s && !known_s) {
-    throw OptionError(
-        fmt::format("{}: expected DATE_STARTED, the time of this test, found none that can be read.{}", path.string(),
-                    advised(" State the interval of the tests in order of their names, as in --every 30min.")),
-        {"every"});
+    throw Error(
+        fmt::format("{}: expected DATE_STARTED, the time of this test, found none that can be read. State the interval "
+                    "of the tests in order of their names, as in --every 30min.",
+                    path.string()));
   }
   started.started_s = started_s ? static_cast<double>(*started_s) : *known_s;
   return started;
@@ -272,10 +271,11 @@ SessionFiles session_of_folder(const fs::path& folder, Readers readers, std::opt
     StartedTest& started = tests[i];
     for (const Recording& circle : started.test.circles) {
       if (circle.nominal_length_mm == files.session.nominal_length_mm) continue;
-      throw Error(fmt::format(
-          "{0}: expected tests of one nominal length for a drift, found {1} mm in {2} and {3} mm in {4}.{5}",
-          folder.string(), files.session.nominal_length_mm, files.session.tests.front().name, circle.nominal_length_mm,
-          started.test.name, advised(fmt::format(" Use ballbar history {} for different lengths.", folder.string()))));
+      throw Error(
+          fmt::format("{0}: expected tests of one nominal length for a drift, found {1} mm in {2} and {3} mm in {4}. "
+                      "Use ballbar history {0} for different lengths.",
+                      folder.string(), files.session.nominal_length_mm, files.session.tests.front().name,
+                      circle.nominal_length_mm, started.test.name));
     }
     files.remarks.insert(files.remarks.end(), started.remarks.begin(), started.remarks.end());
     started.test.elapsed_s = started.started_s - tests.front().started_s;

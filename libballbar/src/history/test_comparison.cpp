@@ -6,7 +6,6 @@
 #include <string_view>
 #include <tuple>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/history/errors_change.hpp"
 #include "ballbar/history/history.hpp"
@@ -111,8 +110,9 @@ std::vector<ClearChange> clear_changes(const TestComparison& comparison) {
 
 TestComparison compared_tests(const MachineTest& before, const MachineTest& after) {
   if (before.plane != after.plane) {
-    throw Error(fmt::format("expected two tests of one plane, found {} and {}.{}", name_of(before.plane),
-                            name_of(after.plane), advised(" Use `ballbar history` for tests of different planes.")));
+    throw Error(fmt::format(
+        "expected two tests of one plane, found {} and {}. Use `ballbar history` for tests of different planes.",
+        name_of(before.plane), name_of(after.plane)));
   }
   TestComparison result{before, after, differing_conditions(before, after), {}, 0};
   for (const TestQuantity& one : before.quantities) {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/circle/recording.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/units.hpp"
@@ -360,10 +359,10 @@ double JointErrorFit::rms_um(const Eigen::VectorXd& left) const {
 JointErrorFit joint_error_fit(const Series& trace, const MachineErrorOptions& options) {
   const ErrorSetUp set_up = set_up_of(trace);
   if (set_up.arc_rad < kShortestArc_rad) {
-    throw Error(fmt::format(
-        "an arc of {:.0f} deg is too short for the errors of the axes: expected at least {:.0f} deg, below "
-        "which they look alike.{}",
-        deg_from_rad(set_up.arc_rad), deg_from_rad(kShortestArc_rad), advised(" ballbar fit gives the circle.")));
+    throw Error(
+        fmt::format("an arc of {:.0f} deg is too short for the errors of the axes: expected at least {:.0f} deg, below "
+                    "which they look alike. ballbar fit gives the circle.",
+                    deg_from_rad(set_up.arc_rad), deg_from_rad(kShortestArc_rad)));
   }
   JointErrorFit fitted;
   fitted.is_full = set_up.arc_rad >= kFullTurn_rad;

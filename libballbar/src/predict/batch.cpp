@@ -10,7 +10,6 @@
 #include <numeric>
 #include <random>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/internal/nearest_name.hpp"
 #include "ballbar/internal/numerics/order_statistic.hpp"
@@ -216,8 +215,8 @@ void expect_room(const BatchColumns& columns) {
   if (!columns.room.empty()) return;
   throw Error(fmt::format(
       "expected one column of the room's temperature (role ambient, or room, ambient or air in its name), by "
-      "which batches are ranked, found none or several{}.",
-      advised(fmt::format("; name it by --room, one of {}", fmt::join(columns.sensors, ", ")))));
+      "which batches are ranked, found none or several; name it by --room, one of {}.",
+      fmt::join(columns.sensors, ", ")));
 }
 
 Eigen::MatrixXd inputs_of(const Series& series, const BatchColumns& columns) {

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <optional>
 
-#include "ballbar/advice.hpp"
 #include "ballbar/error.hpp"
 #include "ballbar/series/series.hpp"
 #include "series/pause.hpp"
@@ -73,10 +72,10 @@ void expect_separate(const std::vector<Series>& runs, const std::vector<std::str
       }
       if (!hours[a].begin_s || !hours[b].begin_s) continue;
       if (*hours[a].begin_s > *hours[b].end_s || *hours[b].begin_s > *hours[a].end_s) continue;
-      throw Error(fmt::format(
-          "expected runs of one machine one after another, found {} and {}, which overlap by their "
-          "clocks{}.",
-          names[a], names[b], advised("; where they are two logs of one run, `ballbar import` makes one of them")));
+      throw Error(
+          fmt::format("expected runs of one machine one after another, found {} and {}, which overlap by their "
+                      "clocks; where they are two logs of one run, `ballbar import` makes one of them.",
+                      names[a], names[b]));
     }
   }
 }

@@ -1,9 +1,9 @@
 // The dialogue for the columns of a log: shows how the program interprets them, and allows corrections. It opens by
 // itself for an ambiguous log.
-import { answer_of, type Refused, type Subject, type Work } from "./runs";
+import { answer_of, type Subject, type Work } from "./runs";
 import { button, element, select_of, table_of, text_in } from "../elements/elements";
 import { type Group, type Held, last_part } from "./files";
-import { type LogWords, said, with_said, with_word } from "./log_words";
+import { type LogWords, options_in, said, with_said, with_word, without_advice } from "./log_words";
 import type { Num } from "../report";
 import { clamped, micrometres, plain } from "../drawing/text";
 import { shown } from "../drawing/theme";
@@ -45,7 +45,7 @@ export interface Columns {
   understand(subject: Subject): Promise<void>; // determines how its log is read; throws Refused
   targets(subject: Subject): string[]; // by their names in the series
   ask(): void; // opens for an ambiguity that was not asked about before
-  refused(why: Refused): string | null; // opens; returns why the log cannot be read; null: there is no log
+  refused(why: string): string | null; // opens; returns why the log cannot be read; null: there is no log
   forget(): void;
   rewrite(): void; // in another language
 }
@@ -223,7 +223,7 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
       rows: columns.map(({ source, name, left_out, first }) => [
         plain(source, 60),
         ...asked.map(() => "-"),
-        name === undefined ? plain(left_out ?? "", 60) : plain(name, 60),
+        name === undefined ? plain(without_advice(left_out ?? ""), 60) : plain(name, 60),
         ...times.map((_, k) => shown(first?.[k])),
       ]),
       row(made, k) {
@@ -241,7 +241,8 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
     if (!subject || !log || box.hidden) return;
     const name = plain(last_part(log.name), 80);
     const list = (sentences: readonly string[], kind: string): HTMLElement[] => {
-      return sentences.length === 0 ? [] : [element("ul", { class: kind }, ...sentences.map((one) => text_in("li", english(clamped(one, 600)))))];
+      const told = sentences.map(without_advice).filter((one) => one !== "");
+      return told.length === 0 ? [] : [element("ul", { class: kind }, ...told.map((one) => text_in("li", english(clamped(one, 600)))))];
     };
     const now = understood;
     const again = element("button", { type: "submit", class: "act" }, t.live_columns_again);
@@ -328,10 +329,10 @@ export const columns_with = ({ work, read }: ColumnsOf): Columns => {
       open();
       if (understood?.clock === false) focus_field(["time"]);
     },
-    refused({ message, options }) {
+    refused(why) {
       if (!subject || !log) return null;
-      asked_for = options;
-      fault = clamped(message.replace(log.path, last_part(log.name)), 600);
+      asked_for = options_in(why);
+      fault = clamped(without_advice(why.replace(log.path, last_part(log.name))), 600) || t.live_columns_unread;
       open();
       focus_field(asked_for);
       return fault;

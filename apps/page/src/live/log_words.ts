@@ -25,3 +25,31 @@ export const with_said = (words: LogWords, option: string, value: string, column
 };
 
 export const with_word = (words: LogWords, word: string, on: boolean): string[] => [...words.filter((one) => one !== word), ...(on ? [word] : [])];
+
+// "--every 1s", "`ballbar plan`"
+const kAdvice = /(?<![\w-])--?[A-Za-z]|`ballbar |\bballbar (add|check|compare|could|diagnose|drift|effects|errors|fit|history|import|plan|predict|simulate|train|undo)\b/;
+
+// A sentence of the program without its advice for a terminal, "; give the interval with --every, such as --every 1s":
+// its parts that name an option or a command go. "": nothing is left.
+export const without_advice = (sentence: string): string => {
+  const parts = sentence.replace(/^--[a-z-]+: /, "").split(/(?<=[.;?!])\s+/);
+  const kept = parts.filter((part) => !kAdvice.test(part)).join(" ");
+  return kept.replace(/;$/, ".");
+};
+
+// Keys of what is no sentence: commands to do, and names that a file has.
+const kNames: ReadonlySet<string> = new Set(["command", "header", "headers", "name", "names", "column", "columns", "target", "label", "file", "files", "title", "sheet"]);
+
+// An answer of the program, all of its sentences without such advice.
+export const answer_without_advice = <T>(answer: T, key = ""): T => {
+  if (typeof answer === "string") return (!kNames.has(key) && /\s/.test(answer) && kAdvice.test(answer) ? without_advice(answer) : answer) as T;
+  if (typeof answer !== "object" || answer === null) return answer;
+  if (Array.isArray(answer)) {
+    if (typeof answer[0] === "number") return answer; // a column
+    return answer.map((one: unknown) => answer_without_advice(one, key)) as T;
+  }
+  return Object.fromEntries(Object.entries(answer).map(([name, one]) => [name, answer_without_advice(one as unknown, name)])) as T;
+};
+
+// The options that it names.
+export const options_in = (sentence: string): string[] => [...sentence.matchAll(/(?<![\w-])--([a-z]+(?:-[a-z]+)*)/g)].map(([, option]) => option ?? "");

@@ -11,7 +11,7 @@ import { file_chooser, listen, start_of } from "./start";
 import type { LivePage } from "./live_page";
 import { with_said } from "./log_words";
 import { opened_with } from "./opened";
-import { answer_of, reason, Refused, runs_with, work_with } from "./runs";
+import { answer_of, reason, runs_with, work_with } from "./runs";
 import { type Saves, saves_of } from "./saves";
 import { save } from "../figure/files";
 import { ago_spoken } from "./spoken";
@@ -160,7 +160,7 @@ export const open_live = async (engine: Engine, page: LivePage): Promise<void> =
       saved: () => opened.saved(),
       async table_of({ data, log }) {
         const ran = await work.run(["drift", ...data, ...with_said(log, "max-gap", ""), "--out", "drift.csv"], { what: () => t.live_reading });
-        return ran.status === 0 ? engine.get("drift.csv") : new Refused(ran).message;
+        return ran.status === 0 ? engine.get("drift.csv") : ran.err;
       },
       fault: tell,
     });

@@ -288,7 +288,7 @@ export const opened_with = ({ engine, work, runs, intake, store, page, tell, dra
           await show({ ...next, model: "" });
           return loop?.refused(error);
         }
-        const cut = columns.refused(error);
+        const cut = columns.refused(error.message);
         if (cut !== null) {
           intake.faults().set(group.data[0] ?? group.key, cut);
           return leave("");

@@ -6,7 +6,7 @@ import { duration_spoken } from "./spoken";
 import type { Message } from "../texts/messages";
 import { said, type Sentence, t } from "../texts/texts";
 import { type Group, last_part } from "./files";
-import type { LogWords } from "./log_words";
+import { answer_without_advice, type LogWords, without_advice } from "./log_words";
 import type { HypothesesPart, Plan, Report, SignalGap, TestHead } from "../report";
 import type { Stretch } from "./history_of_steps";
 
@@ -242,26 +242,23 @@ export const plan_words = (subject: Subject, hours: number, folder: string): str
 // What is asked of the program about what is looked at, and what it answers: the report, the search, a step forth and
 // back.
 
-// What the program said why it did not, and the options by which it is put right.
-export class Refused extends Error {
-  readonly options: readonly string[];
-  constructor({ err, status }: Ran) {
-    const lines = err.trim().split("\n");
-    const fault = lines.filter((line) => line.startsWith("ballbar: ")).at(-1) ?? lines.at(-1) ?? "";
-    super(fault.replace(/^ballbar: /, "") || t.live_ended_with({ status }));
-    const mends = lines.find((line) => line.startsWith('{"options":'));
-    this.options = mends === undefined ? [] : (JSON.parse(mends) as { options: string[] }).options;
-  }
-}
+// What the program said why it did not.
+export class Refused extends Error {}
 
 interface Said {
   sentence: string;
   message?: Message[];
 }
 
+const sentence_of = ({ err, status }: Ran): string => {
+  const lines = err.trim().split("\n");
+  const fault = lines.filter((line) => line.startsWith("ballbar: ")).at(-1) ?? lines.at(-1) ?? "";
+  return fault.replace(/^ballbar: /, "") || t.live_ended_with({ status });
+};
+
 export const answer_of = <T>(ran: Ran): T => {
-  if (ran.status !== 0) throw new Refused(ran);
-  return JSON.parse(ran.out) as T;
+  if (ran.status !== 0) throw new Refused(sentence_of(ran));
+  return answer_without_advice(JSON.parse(ran.out) as T);
 };
 
 export interface PlannedFiles {
@@ -336,7 +333,7 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
     model_text: async (subject) => (await call<{ text: string }>("text", model_words(subject), { what: () => t.live_reading })).text,
     async undo(model) {
       const ran = await work.run(["undo", "--model", model], { what: () => t.live_undoing });
-      if (ran.status !== 0) throw new Refused(ran);
+      if (ran.status !== 0) throw new Refused(sentence_of(ran));
     },
     free_name(folder, name) {
       const taken = new Set(engine.list().map(({ path }) => path));
@@ -354,7 +351,7 @@ export const runs_with = (engine: Engine, work: Work): Runs => {
 export const reason = (error: unknown): string => {
   const text = error instanceof Error ? error.message : String(error);
   if (error instanceof Interrupted) return t.live_stopped({ what: error.what() });
-  if (error instanceof Refused) return /^std::|bad_alloc/.test(text) ? t.live_too_much : text;
+  if (error instanceof Refused) return /^std::|bad_alloc/.test(text) ? t.live_too_much : without_advice(text) || t.live_refused;
   if (!(error instanceof Failed)) return text;
   return /memory|bad_alloc|OOM/i.test(text) ? t.live_out_of_memory : t.live_failed({ why: text });
 };
