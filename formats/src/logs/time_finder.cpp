@@ -90,7 +90,7 @@ class TimeFinder {
     std::vector<std::string_view> known;
     for (const auto& header : headers) known.emplace_back(header.first);
     fail(fmt::format("a column {} for the time", in_quotes(recipe_.time)), "none",
-         fmt::format("; the nearest is {}", in_quotes(nearest_name(recipe_.time, known))), {"time"});
+         fmt::format("the nearest is {}", in_quotes(nearest_name(recipe_.time, known))));
   }
 
   // A number of time that runs as long as the stamps do.
