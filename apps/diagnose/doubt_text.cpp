@@ -26,6 +26,8 @@ Message message_of(Doubt doubt, const Effect& effect) {
       return messages::doubt_forgotten_change();
     case Doubt::warm_start:
       return messages::doubt_warm_start();
+    case Doubt::switched_input:
+      return messages::doubt_switched_input();
     case Doubt::drift_beside:
       return messages::doubt_drift_beside();
     case Doubt::larger_drift:

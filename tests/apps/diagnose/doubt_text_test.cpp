@@ -19,6 +19,7 @@ TEST(DoubtText, of_each_doubt) {
       {Doubt::weak_evidence, "the evidence for it is weak"},
       {Doubt::forgotten_change, "a change that the noise forgets explains nearly as much"},
       {Doubt::warm_start, "a machine that was not at rest at the first row explains nearly as much"},
+      {Doubt::switched_input, "an effect of an input that is switched near that moment explains nearly as much"},
       {Doubt::drift_beside, "beside a slow drift without a cause its form is open"},
       {Doubt::larger_drift, "a slow drift without a cause is larger"},
       {Doubt::in_the_model, "the model can already produce what it adds"},

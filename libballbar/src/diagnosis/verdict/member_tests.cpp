@@ -171,6 +171,35 @@ Eigen::MatrixXd decays_of_start(const Problem& problem) {
   return columns;
 }
 
+// What a stepped input that changes near this time may add from then on: all of it at once or with a lag, or for a
+// while.
+Eigen::MatrixXd responses_to_switches(const Problem& problem, double near_s) {
+  constexpr double kNear_s = 300.0, kTimes_s[] = {1.0, 100.0, 300.0, 1000.0};
+  const std::vector<double>& rows_s = problem.logged.series.time_s;
+  std::vector<double> changes_s;
+  for (const LoggedInput& input : problem.logged.inputs) {
+    for (const Jump& jump : input.jumps) {
+      const double at_s = 0.5 * (rows_s[jump.first] + rows_s[jump.last]);
+      if (std::abs(at_s - near_s) < kNear_s) changes_s.push_back(at_s);
+    }
+  }
+  constexpr auto kResponses = 2 * static_cast<Eigen::Index>(std::size(kTimes_s));
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(problem.time_s.size()),
+                          kResponses * static_cast<Eigen::Index>(changes_s.size()));
+  Eigen::Index k = 0;
+  for (const double change_s : changes_s) {
+    for (const double time_s : kTimes_s) {
+      for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+        const double since_s = problem.time_s[static_cast<std::size_t>(i)] - change_s;
+        columns(i, k + 1) = since_s > 0.0 ? std::exp(-since_s / time_s) : 0.0;
+        columns(i, k) = since_s > 0.0 ? 1.0 - columns(i, k + 1) : 0.0;
+      }
+      k += 2;
+    }
+  }
+  return columns;
+}
+
 // The fall of chi^2 by each of these white columns alone, in place of the member.
 Eigen::VectorXd falls_by(const SetRegression& at, std::size_t member, const Eigen::MatrixXd& columns) {
   const std::vector<Eigen::Index> others = others_of(at, member);
@@ -188,7 +217,7 @@ Eigen::VectorXd falls_by(const SetRegression& at, std::size_t member, const Eige
 }
 
 // What explains nearly as much as the jump: one reading, or a change within the memory of the noise; a machine that was
-// not at rest at the first row.
+// not at rest at the first row; an input that is switched.
 std::vector<Doubt> doubts_of_jump(const Problem& problem, const NoiseFilter& filter, const SetRegression& at,
                                   std::size_t member) {
   if (!std::is_sorted(problem.time_s.begin(), problem.time_s.end())) return {};  // several runs
@@ -197,13 +226,16 @@ std::vector<Doubt> doubts_of_jump(const Problem& problem, const NoiseFilter& fil
   (jump.tail(jump.size() - 1) - jump.head(jump.size() - 1)).cwiseAbs().maxCoeff(&before);
   const Eigen::MatrixXd changes = whitened(filter.whitening, forgotten_changes(problem, filter.covariance, before + 1)),
                         decays = whitened(filter.whitening, decays_of_start(problem));
-  Eigen::MatrixXd columns(changes.rows(), 1 + changes.cols() + decays.cols());
-  columns << at.white.col(1 + at.first[member]), changes, decays;
-  const Eigen::VectorXd falls = falls_by(at, member, columns);
+  const Eigen::MatrixXd responses =
+      whitened(filter.whitening, responses_to_switches(problem, problem.time_s[static_cast<std::size_t>(before) + 1]));
+  const double fall = falls_by(at, member, at.white.col(1 + at.first[member]))[0];
+  const auto is_rival = [&](const Eigen::MatrixXd& columns) {
+    return columns.cols() > 0 && fall < falls_by(at, member, columns).maxCoeff() + kLeastLikelihoodRatio;
+  };
   std::vector<Doubt> doubts;
-  if (falls[0] < falls.segment(1, changes.cols()).maxCoeff() + kLeastLikelihoodRatio)
-    doubts.push_back(Doubt::forgotten_change);
-  if (falls[0] < falls.tail(decays.cols()).maxCoeff() + kLeastLikelihoodRatio) doubts.push_back(Doubt::warm_start);
+  if (is_rival(changes)) doubts.push_back(Doubt::forgotten_change);
+  if (is_rival(decays)) doubts.push_back(Doubt::warm_start);
+  if (is_rival(responses)) doubts.push_back(Doubt::switched_input);
   return doubts;
 }
 

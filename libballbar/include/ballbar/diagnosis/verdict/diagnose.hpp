@@ -53,6 +53,7 @@ enum class Doubt {
   weak_evidence,     // its likelihood ratio is below kLeastLikelihoodRatio, or its amplitude below kLeastSigmas sigmas
   forgotten_change,  // of a jump: one reading, or a change within the memory of the noise, explains nearly as much
   warm_start,        // of a jump: a machine that was not at rest at the first row explains nearly as much
+  switched_input,    // of a jump: an effect of an input that is switched near that moment explains nearly as much
   drift_beside,      // a smaller slow drift without a cause is beside it, so that its form is open
   larger_drift,      // a larger slow drift without a cause is beside it
   in_the_model,      // the model can produce what it adds
