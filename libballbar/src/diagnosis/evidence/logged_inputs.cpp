@@ -221,11 +221,15 @@ void draw_steps(std::vector<Jump> jumps, LoggedInput& input, std::vector<double>
   input.jumps = std::move(jumps);
 }
 
-// When the stepped inputs change, in the middle of the rows between.
+// When the stepped inputs change: in the middle of the rows between, and at the later one, for a thermometer may be
+// read before the speed.
 std::vector<double> moments_of_jumps(const std::vector<LoggedInput>& inputs, const std::vector<double>& time_s) {
   std::vector<double> moments;
   for (const LoggedInput& input : inputs) {
-    for (const Jump& jump : input.jumps) moments.push_back(0.5 * (time_s[jump.first] + time_s[jump.last]));
+    for (const Jump& jump : input.jumps) {
+      moments.push_back(0.5 * (time_s[jump.first] + time_s[jump.last]));
+      moments.push_back(time_s[jump.last]);
+    }
   }
   std::sort(moments.begin(), moments.end());
   return moments;

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kNeighbours = 3;              // on either side
 constexpr double kMedianOfSizes = 0.67;             // of a normal distribution, in sigma
 constexpr double kBends[] = {0.0, 0.1, 1.0, 10.0};  // of the slope: scatters in a usual step
-constexpr double kCostOfBends = 2.0;                // nats
+constexpr double kCostOfBends = 20.0;               // nats: a slope that changes is plain to see
 
 // Integrated random walk x'' = white noise of this spectral density, seen at the observations. States (x, x'); it has
 // no stationary variance, so that its gains are not those of a noise (linear_filter.hpp), its steps are.
@@ -148,6 +148,10 @@ std::vector<double> robust_curve(std::vector<Observation> observations, const st
   const auto count = static_cast<Eigen::Index>(spikes.size());
   if (sigma > 0.0 && has_heavy_tails(Eigen::VectorXd::Map(spikes.data(), count))) {
     for (std::size_t i = 0; i < observations.size(); ++i) {
+      const std::size_t last = std::min(i + kNeighbours, observations.size() - 1);
+      const auto bend =
+          std::lower_bound(bends_s.begin(), bends_s.end(), observations[i - std::min(i, kNeighbours)].time_s);
+      if (bend != bends_s.end() && *bend <= observations[last].time_s) continue;  // a peak has such observations
       const double factor = (std::pow(spikes[i] / sigma, 2) + tuning.freedom) / (tuning.freedom + 1.0);
       if (factor >= tuning.outlier) observations[i].variance *= factor;
     }
