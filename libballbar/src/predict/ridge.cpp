@@ -57,7 +57,8 @@ Eigen::MatrixXd prior_of(const RidgeProblem& problem, const RidgeSetting& settin
 
 // X~ C X~', of gains with this covariance.
 Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const Eigen::MatrixXd& covariance) {
-  Eigen::MatrixXd kernel(problem.columns.rows(), problem.columns.rows());
+  Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(problem.columns.rows(), problem.columns.rows());
+  if (covariance.size() == 0) return kernel;  // Eigen divides by the number of columns
   kernel.triangularView<Eigen::Lower>() = (problem.columns * covariance) * problem.columns.transpose();
   return kernel.selfadjointView<Eigen::Lower>();
 }
