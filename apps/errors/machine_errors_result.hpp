@@ -178,7 +178,7 @@ std::vector<BoundEffect> significant_effects(const ErrorsReport& report);
 
 constexpr auto of_errors(auto get) { return in(&ErrorsReport::found, get); }
 constexpr auto of_first(auto get) {
-  return [get](const ErrorsReport& of) { return std::invoke(get, of.recordings.front()); };
+  return [get](const ErrorsReport& of) { return value_in(of.recordings.front(), get); };
 }
 inline constexpr FieldList kCheckFields{Field{"tolerances", &tolerance_lines, "pass or fail, a line each"},
                                         Field{"passes", may_lack([](const ToleranceCheck& of) { return passes(of); }),

@@ -213,9 +213,9 @@ void plan_text(const ColumnSample& sample, PlannedColumn& column) {
   std::tie(column.before, column.behind) = *signs;
   if (column.before.size() > 1 && !column.headed) {
     column.source = column.before.substr(0, column.before.size() - 1);
-    std::tie(column.name, column.unit) = [](NameAndUnit both) {
-      return std::pair(both.name, both.unit);
-    }(name_and_unit(column.source));
+    const NameAndUnit both = name_and_unit(column.source);
+    column.name = both.name;
+    column.unit = both.unit;
     column.headed = true;
   }
   if (column.unit.empty() && (column.before.size() < 2 || !column.behind.empty()))

@@ -109,7 +109,7 @@ void write_json(const MeasuredDrift& drift, const std::vector<SpeedStep>& steps,
                 std::optional<double> stable_um, std::ostream& out) {
   const FiveProbeDrift result = result_of(drift, steps, sheet, stable_um);
   std::string_view before = "{";
-  const auto write = [&](const auto& field) { write_keys(out, before, field.name, std::invoke(field.get, result)); };
+  const auto write = [&](const auto& field) { write_keys(out, before, field.name, value_in(result, field.get)); };
   kResult<FiveProbeDrift>.fields.each(write);
   out << "\n}\n";
 }

@@ -58,7 +58,7 @@ Eigen::MatrixXd prior_of(const RidgeProblem& problem, const RidgeSetting& settin
 // X~ C X~', of gains with this covariance.
 Eigen::MatrixXd kernel_of(const RidgeProblem& problem, const Eigen::MatrixXd& covariance) {
   Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(problem.columns.rows(), problem.columns.rows());
-  if (covariance.size() == 0) return kernel;  // Eigen divides by the number of columns
+  if (covariance.isZero(0.0)) return kernel;
   kernel.triangularView<Eigen::Lower>() = (problem.columns * covariance) * problem.columns.transpose();
   return kernel.selfadjointView<Eigen::Lower>();
 }
@@ -145,21 +145,23 @@ double score_of(const RidgeProblem& problem, const Solved& of) {
   return std::isfinite(sum) ? -sum : -std::numeric_limits<double>::infinity();
 }
 
-// X~ P X~' of each dictionary, with that of the start.
-std::vector<Eigen::MatrixXd> kernels_of(const RidgeProblem& problem, const std::vector<unsigned>& dictionaries) {
-  std::vector<Eigen::MatrixXd> of_kind(kPredictorKinds);
-  in_parallel(kPredictorKinds, [&](std::size_t kind) {
-    if (problem.prior[kind].size() > 0) of_kind[kind] = kernel_of(problem, problem.prior[kind]);
+// X~ P X~' of each kind and, last, of the start; for v = 1.
+std::vector<Eigen::MatrixXd> kernels_of(const RidgeProblem& problem) {
+  std::vector<Eigen::MatrixXd> kernels(kPredictorKinds + 1);
+  in_parallel(kernels.size(), [&](std::size_t kind) {
+    kernels[kind] =
+        kernel_of(problem, kind < kPredictorKinds ? problem.prior[kind] : prior_of(problem, {.start_scale = 0.0}));
   });
-  const Eigen::MatrixXd of_start = kernel_of(problem, RidgeSetting{.start_scale = 0.0});
-  std::vector<Eigen::MatrixXd> kernels;
-  for (const unsigned kinds : dictionaries) {
-    kernels.push_back(of_start);
-    for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
-      if ((kinds >> kind & 1U) != 0) kernels.back() += of_kind[kind];
-    }
-  }
   return kernels;
+}
+
+// Of a dictionary, with the start.
+Eigen::MatrixXd sum_of(const std::vector<Eigen::MatrixXd>& kernels, unsigned kinds) {
+  Eigen::MatrixXd sum = kernels.back();
+  for (std::size_t kind = 0; kind < kPredictorKinds; ++kind) {
+    if ((kinds >> kind & 1U) != 0) sum += kernels[kind];
+  }
+  return sum;
 }
 
 RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, double start_scale) {
@@ -174,11 +176,11 @@ RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, do
   const bool by_runs = runs_in(problem) >= kFewestRunsToLeaveOut;
   // K is factorised for each v where that needs more than the likelihood, or there are few rows for the predictors.
   const bool is_reduced = !by_runs && problem.start.size() == 0 && 2 * problem.columns.cols() <= problem.columns.rows();
-  std::vector<Eigen::MatrixXd> rests(is_reduced ? 0 : kLengths), kernels(is_reduced ? 0 : dictionaries.size());
+  std::vector<Eigen::MatrixXd> rests(is_reduced ? 0 : kLengths), kernels;
   std::vector<WhiteProducts> products(is_reduced ? kLengths : 0);
   std::vector<PriorRoot> roots(is_reduced ? dictionaries.size() : 0);
   if (!is_reduced) {
-    kernels = kernels_of(problem, dictionaries);
+    kernels = kernels_of(problem);
     const Eigen::MatrixXd fixed =
         kernel_of(problem, RidgeSetting{.variance = 0.0, .named_variance = named_variance, .start_scale = start_scale});
     for (std::size_t length = 0; length < kLengths; ++length)
@@ -191,16 +193,22 @@ RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, do
               [&](std::size_t d) { roots[d] = prior_root(prior_of(problem, {.kinds = dictionaries[d]})); });
   std::vector<RatedSetting> tried(dictionaries.size() * kLengths);
   in_parallel(tried.size(), [&](std::size_t i) {
-    const std::size_t dictionary = i / kLengths, length = i % kLengths;
+    const unsigned kinds = dictionaries[i / kLengths];
+    const std::size_t length = i % kLengths;
+    Eigen::MatrixXd kernel;
     std::optional<LikelihoodAlongVariance> reduced;
-    if (is_reduced) reduced.emplace(products[length], roots[dictionary]);
+    if (is_reduced) {
+      reduced.emplace(products[length], roots[i / kLengths]);
+    } else {
+      kernel = sum_of(kernels, kinds);
+    }
     std::map<int, double> known;
     const auto score = [&](int k) {
       const auto [place, is_new] = known.try_emplace(k, 0.0);
       if (is_new) {
         const double variance = std::pow(10.0, 0.5 * k);
-        place->second = reduced ? reduced->at(variance)
-                                : score_of(problem, solved(problem, variance * kernels[dictionary] + rests[length]));
+        place->second =
+            reduced ? reduced->at(variance) : score_of(problem, solved(problem, variance * kernel + rests[length]));
       }
       return place->second;
     };
@@ -220,8 +228,7 @@ RidgeSetting best_setting(const RidgeProblem& problem, double named_variance, do
       const int other = uphill_from(6);
       if (score(other) > score(best)) best = other;
     }
-    tried[i] = {{dictionaries[dictionary], std::pow(10.0, 0.5 * best), kLengths_s[length], named_variance, start_scale},
-                score(best)};
+    tried[i] = {{kinds, std::pow(10.0, 0.5 * best), kLengths_s[length], named_variance, start_scale}, score(best)};
   });
   return std::max_element(tried.begin(), tried.end(),
                           [](const RatedSetting& a, const RatedSetting& b) { return a.score < b.score; })

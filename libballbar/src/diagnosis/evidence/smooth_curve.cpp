@@ -32,8 +32,10 @@ struct Smoother {
   StateEstimate<2> moved(StateEstimate<2> from, double since_s, double until_s) const {
     const double dt = until_s - since_s;
     const Eigen::Matrix2d added = density * Eigen::Matrix2d{{dt * dt * dt / 3.0, dt * dt / 2.0}, {dt * dt / 2.0, dt}};
-    const auto next = std::lower_bound(bends_s.begin(), bends_s.end(), since_s);
-    if (next != bends_s.end() && *next < until_s) from.p(1, 1) += bend;
+    if (bend > 0.0) {
+      const auto next = std::lower_bound(bends_s.begin(), bends_s.end(), since_s);
+      if (next != bends_s.end() && *next < until_s) from.p(1, 1) += bend;
+    }
     return predicted(from, transition(dt), added);
   }
   static StateUpdate<2> with(const StateEstimate<2>& before, const Observation& one) {

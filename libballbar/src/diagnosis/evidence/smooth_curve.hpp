@@ -19,7 +19,8 @@ std::vector<double> smooth_curve(const std::vector<Observation>& observations, c
 
 // The same, but where the observations less the median of those about them have heavy tails, far ones count less, by
 // the weights of Student's t with Tuning::freedom degrees of freedom (Lange, Little and Taylor 1989, J. Am. Stat.
-// Assoc. 84, 881). A step or a bend of the curve has no such observations.
+// Assoc. 84, 881). A step of the curve has no such observations, and near bends_s all count in
+// full.
 std::vector<double> robust_curve(std::vector<Observation> observations, const std::vector<double>& time_s,
                                  const std::vector<double>& bends_s, const Tuning& tuning);
 

@@ -228,14 +228,16 @@ std::vector<Doubt> doubts_of_jump(const Problem& problem, const NoiseFilter& fil
                         decays = whitened(filter.whitening, decays_of_start(problem));
   const Eigen::MatrixXd responses =
       whitened(filter.whitening, responses_to_switches(problem, problem.time_s[static_cast<std::size_t>(before) + 1]));
-  const double fall = falls_by(at, member, at.white.col(1 + at.first[member]))[0];
-  const auto is_rival = [&](const Eigen::MatrixXd& columns) {
-    return columns.cols() > 0 && fall < falls_by(at, member, columns).maxCoeff() + kLeastLikelihoodRatio;
+  Eigen::MatrixXd columns(changes.rows(), 1 + changes.cols() + decays.cols() + responses.cols());
+  columns << at.white.col(1 + at.first[member]), changes, decays, responses;
+  const Eigen::VectorXd falls = falls_by(at, member, columns);
+  const auto is_near = [&](const auto& of_rivals) {
+    return of_rivals.size() > 0 && falls[0] < of_rivals.maxCoeff() + kLeastLikelihoodRatio;
   };
   std::vector<Doubt> doubts;
-  if (is_rival(changes)) doubts.push_back(Doubt::forgotten_change);
-  if (is_rival(decays)) doubts.push_back(Doubt::warm_start);
-  if (is_rival(responses)) doubts.push_back(Doubt::switched_input);
+  if (is_near(falls.segment(1, changes.cols()))) doubts.push_back(Doubt::forgotten_change);
+  if (is_near(falls.segment(1 + changes.cols(), decays.cols()))) doubts.push_back(Doubt::warm_start);
+  if (is_near(falls.tail(responses.cols()))) doubts.push_back(Doubt::switched_input);
   return doubts;
 }
 

@@ -85,29 +85,38 @@ TEST(MemberTests, what_goes_with_time_alone) {
   EXPECT_TRUE(doubts_of(sure, *find_effect("thermostat_cycle", Level::series)).empty());
 }
 
-// 24 values, a straight line of time: slope and sigma of the textbook, S_xy / S_xx and sqrt(S / (n - 2) / S_xx).
-TEST(FittedSet, is_a_regression_where_the_scatter_is_white) {
-  std::mt19937_64 random(3);
-  std::normal_distribution<double> normal;
+// 24 values of a curve with noise, fitted by one effect.
+struct FittedAlone {
   Series data;
-  Column target{"z_um", Role::measured, {}};
-  for (int i = 0; i < 24; ++i) {
-    data.time_s.push_back(600.0 * i);
-    target.values.push_back(5.0 + 2.0 * i / 6.0 + normal(random));
+  FittedSet set;
+
+  FittedAlone(const std::string& effect, double (*curve)(int)) {
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal;
+    Column target{"z_um", Role::measured, {}};
+    for (int i = 0; i < 24; ++i) {
+      data.time_s.push_back(600.0 * i);
+      target.values.push_back(curve(i) + normal(random));
+    }
+    data.columns = {target};
+    Model constant;
+    constant.targets = {"z_um"};
+    ProblemOptions options;
+    options.search.catalogue = built_in_catalogue();
+    options.terms = {term_of(effect, {})};
+    Inference found = inference(constant, data, 0, options);
+    const auto family = family_of(*found.problem, {find_effect(effect, Level::series), {}}).value();
+    set = fitted_set(*found.problem, found.posterior,
+                     found.posterior.sets[set_of(*found.problem, found.posterior, {family})], false);
   }
-  data.columns = {target};
-  Model constant;
-  constant.targets = {"z_um"};
-  ProblemOptions options;
-  options.search.catalogue = built_in_catalogue();
-  options.terms = {term_of("linear_drift", {})};
-  Inference found = inference(constant, data, 0, options);
-  const auto family = family_of(*found.problem, {find_effect("linear_drift", Level::series), {}});
-  ASSERT_TRUE(family);
-  const EffectSet set = found.posterior.sets[set_of(*found.problem, found.posterior, {*family})];
-  const FittedSet fitted = fitted_set(*found.problem, found.posterior, set, false);
-  const Eigen::VectorXd y = Eigen::VectorXd::Map(target.values.data(), 24);
-  const Eigen::VectorXd hours = Eigen::VectorXd::Map(data.time_s.data(), 24) / 3600.0;
+};
+
+// A straight line of time: slope and sigma of the textbook, S_xy / S_xx and sqrt(S / (n - 2) / S_xx).
+TEST(FittedSet, is_a_regression_where_the_scatter_is_white) {
+  const FittedAlone alone("linear_drift", [](int i) { return 5.0 + 2.0 * i / 6.0; });
+  const FittedSet& fitted = alone.set;
+  const Eigen::VectorXd y = Eigen::VectorXd::Map(alone.data.columns.front().values.data(), 24);
+  const Eigen::VectorXd hours = Eigen::VectorXd::Map(alone.data.time_s.data(), 24) / 3600.0;
   const Eigen::VectorXd x = hours.array() - hours.mean();
   const double sxx = x.squaredNorm(), slope = x.dot(y) / sxx;
   const Eigen::VectorXd left = y.array() - y.mean() - slope * x.array();
@@ -121,28 +130,9 @@ TEST(FittedSet, is_a_regression_where_the_scatter_is_white) {
   EXPECT_NEAR(fitted.amplitude_sigma_um[0], sigma * (hours[23] - hours[0]), 1e-6);
 }
 
-// 24 values and a jump at a known row between them: the difference of two means, of variance s^2 (1/12 + 1/12). The
-// moment of the jump, which is free, does not add to the sigma of its size.
-TEST(FittedSet, sigma_of_the_size_of_a_jump_is_that_of_two_means) {
-  std::mt19937_64 random(3);
-  std::normal_distribution<double> normal;
-  Series data;
-  Column target{"z_um", Role::measured, {}};
-  for (int i = 0; i < 24; ++i) {
-    data.time_s.push_back(600.0 * i);
-    target.values.push_back((i < 12 ? 0.0 : 20.0) + normal(random));
-  }
-  data.columns = {target};
-  Model constant;
-  constant.targets = {"z_um"};
-  ProblemOptions options;
-  options.search.catalogue = built_in_catalogue();
-  options.terms = {term_of("step", {})};
-  Inference found = inference(constant, data, 0, options);
-  const auto family = family_of(*found.problem, {find_effect("step", Level::series), {}});
-  ASSERT_TRUE(family);
-  const EffectSet set = found.posterior.sets[set_of(*found.problem, found.posterior, {*family})];
-  const FittedSet fitted = fitted_set(*found.problem, found.posterior, set, false);
+// The moment of a jump, which is free, does not add to the sigma of its size.
+TEST(FittedSet, sigma_of_the_amplitude_of_a_jump_is_that_of_its_size) {
+  const FittedSet fitted = FittedAlone("step", [](int i) { return i < 12 ? 0.0 : 20.0; }).set;
   EXPECT_NEAR(fitted.amplitude_um[0], std::abs(fitted.parameters[1].value), 1e-9);
   EXPECT_NEAR(fitted.amplitude_sigma_um[0], fitted.parameters[1].sigma, 1e-6);
 }
