@@ -22,6 +22,10 @@ Message message_of(Doubt doubt, const Effect& effect) {
       return of_recordings ? messages::doubt_not_predictive_recordings() : messages::doubt_not_predictive_cycles();
     case Doubt::weak_evidence:
       return messages::doubt_weak_evidence();
+    case Doubt::uncertain_size:
+      return messages::doubt_uncertain_size(fmt::format("{:g}", kLeastSigmas));
+    case Doubt::open_clock:
+      return messages::doubt_open_clock();
     case Doubt::forgotten_change:
       return messages::doubt_forgotten_change();
     case Doubt::warm_start:

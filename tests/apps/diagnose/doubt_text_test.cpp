@@ -17,6 +17,8 @@ TEST(DoubtText, of_each_doubt) {
       {Doubt::gain_differs, "its gain differs from cycle to cycle"},
       {Doubt::not_predictive, "it does not predict left-out cycles better"},
       {Doubt::weak_evidence, "the evidence for it is weak"},
+      {Doubt::uncertain_size, "its amplitude is less than 5 times its uncertainty"},
+      {Doubt::open_clock, "an input that is early or late by a part of a row explains nearly as much"},
       {Doubt::forgotten_change, "a change that the noise forgets explains nearly as much"},
       {Doubt::warm_start, "a machine that was not at rest at the first row explains nearly as much"},
       {Doubt::switched_input, "an effect of an input that is switched near that moment explains nearly as much"},

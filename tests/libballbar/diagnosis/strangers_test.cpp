@@ -392,6 +392,28 @@ TEST(StrangersLog, rows_read_by_hand_show_a_short_lag) {
   EXPECT_NEAR(candidate_of(found, found.named.front())->parameters[1].value, 900.0, 150.0);
 }
 
+// A body that a recursion over the rows computes from the mean of the hour, as a logger stamps it at its end: half a
+// row early. A share of the room at once would make up for it, but is no effect.
+TEST(StrangersLog, hourly_means_are_no_second_effect) {
+  constexpr double kTau_rows = 5.0, kGain = 8.0;
+  Log log(240, 3600.0);
+  log.data.columns.resize(2);
+  log.data.columns.erase(log.data.columns.begin());
+  std::vector<double> z_um;
+  double body = log.room.front();
+  for (const double room : log.room) {
+    body += (1.0 - std::exp(-1.0 / kTau_rows)) * (room - body);
+    z_um.push_back(kGain * (body - log.room.front()));
+  }
+  const Diagnosis found = log.diagnosed(std::move(z_um));
+  ASSERT_EQ(labels(found.named), std::vector<std::string>{"lagged_expansion(room_degC)"}) << made::outcome_of(found);
+  for (const Candidate& one : found.candidates) {
+    if (one.in_best_set && one.bound.effect->name == "expansion") {
+      EXPECT_EQ(one.doubts, std::vector{Doubt::open_clock});
+    }
+  }
+}
+
 // What is left out because it holds words was not looked at.
 TEST(StrangersLog, nothing_is_certain_beside_states_in_words) {
   Log log;

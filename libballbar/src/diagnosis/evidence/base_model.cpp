@@ -99,7 +99,8 @@ Eigen::VectorXd BaseModel::term_at(std::size_t parameter, const std::vector<doub
   return rows_.term(t, parameters.data() + rows_.offset(t), nullptr);
 }
 
-Eigen::MatrixXd BaseModel::delays_at(const std::vector<double>& parameters, const Tuning& tuning) const {
+Eigen::MatrixXd BaseModel::delays_at(const std::vector<double>& parameters, const Tuning& tuning,
+                                     std::size_t clocks) const {
   std::vector<std::pair<double, Eigen::VectorXd>> found;
   for (std::size_t t = 0; t < model_.terms.size(); ++t) {
     for (std::size_t k = 0; k < model_.terms[t].columns.size(); ++k) {
@@ -116,7 +117,7 @@ Eigen::MatrixXd BaseModel::delays_at(const std::vector<double>& parameters, cons
             Eigen::VectorXd::Map(all.data(), static_cast<Eigen::Index>(all.size()))(rows_.data_rows()));
       };
       Eigen::VectorXd together = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.rows()));
-      if (!input->is_stepped && input->late_s > 0.0) {
+      if (t < clocks && !input->is_stepped && input->late_s > 0.0) {
         together = 0.5 * (term_of(shifted(logged_.series.time_s, values, input->late_s)) -
                           term_of(shifted(logged_.series.time_s, values, -input->late_s)));
       }
@@ -128,7 +129,7 @@ Eigen::MatrixXd BaseModel::delays_at(const std::vector<double>& parameters, cons
         together += one;
         found.emplace_back(tuning.jump_delay * one.norm(), tuning.jump_delay * one);
       }
-      found.emplace_back(std::numeric_limits<double>::infinity(), tuning.clock_delay * together);
+      if (t < clocks) found.emplace_back(std::numeric_limits<double>::infinity(), tuning.clock_delay * together);
     }
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });

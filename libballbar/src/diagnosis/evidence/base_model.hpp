@@ -49,8 +49,8 @@ class BaseModel {
                  std::size_t fixed = 0) const;
 
   // What delays of the inputs change at these parameters, each by its prior sigma: a column for the clock of each input
-  // of a term, and for the largest of its jumps one each.
-  Eigen::MatrixXd delays_at(const std::vector<double>& parameters, const Tuning& tuning) const;
+  // of the first `clocks` terms, and of all terms one for each of the largest jumps.
+  Eigen::MatrixXd delays_at(const std::vector<double>& parameters, const Tuning& tuning, std::size_t clocks) const;
 
   // The curve in um of the term that has this parameter.
   Eigen::VectorXd term_at(std::size_t parameter, const std::vector<double>& parameters) const;

@@ -41,10 +41,15 @@ double within_prior(const Parameter& parameter, const Setting* given, double val
 
 enum class Shapes { held, free };
 
+struct FitTogether {
+  ShapeFit fit;
+  Eigen::MatrixXd delays;  // of the inputs of both
+};
+
 // The model from these parameters together with the effects of the set, the shapes of these at their points or free.
-ShapeFit fit_together(const Problem& problem, const Linearisation& linearisation,
-                      const std::vector<std::size_t>& signatures, const std::vector<double>& parameters,
-                      const NoiseFilter& filter, Shapes shapes) {
+FitTogether fit_together(const Problem& problem, const Linearisation& linearisation,
+                         const std::vector<std::size_t>& signatures, const std::vector<double>& parameters,
+                         const NoiseFilter& filter, Shapes shapes) {
   auto [model, start] = with_effects(problem, problem.model, signatures, parameters);
   for (std::size_t t = problem.model.terms.size(); t < model.terms.size() && shapes == Shapes::held; ++t) {
     Term& term = model.terms[t];
@@ -52,14 +57,17 @@ ShapeFit fit_together(const Problem& problem, const Linearisation& linearisation
       term.settings[k].held = term.settings[k].held || term.effect->parameters[k].kind != ParameterKind::gain;
   }
   const BaseModel with(model, problem.logged, problem.y, problem.base.row);
-  return shape_fit(with, start, free_of(problem, linearisation.freed), linearisation.open, filter.whitening,
-                   problem.known, kSearched);
+  ShapeFit fit = shape_fit(with, start, free_of(problem, linearisation.freed), linearisation.open, filter.whitening,
+                           problem.known, kSearched);
+  Eigen::MatrixXd delays = with.delays_at(fit.parameters, problem.tuning, problem.model.terms.size());
+  return {std::move(fit), std::move(delays)};
 }
 
 // The set, and the model where a fit of both has it.
-ConditionalFit taken_over(const Problem& problem, std::vector<std::size_t> signatures, const ShapeFit& fitted) {
-  const auto own = static_cast<std::ptrdiff_t>(problem.base_model->parameters());
-  return {std::move(signatures), {fitted.parameters.begin(), fitted.parameters.begin() + own}};
+ConditionalFit taken_over(const Problem& problem, std::vector<std::size_t> signatures, FitTogether fitted) {
+  std::vector<double>& parameters = fitted.fit.parameters;
+  parameters.resize(problem.base_model->parameters());
+  return {std::move(signatures), std::move(parameters), std::move(fitted.delays)};
 }
 
 // The signatures of the set at the shapes that a fit has; new ones are added to the library.
@@ -118,16 +126,16 @@ ConditionalFit conditional_fit(const Problem& problem, const Linearisation& line
 ConditionalFit sharpened(Problem& problem, const Linearisation& linearisation, std::vector<std::size_t> signatures,
                          const std::vector<std::vector<double>>& starts, const NoiseFilter& filter) {
   const Shapes shapes = problem.tuning.finer_shapes ? Shapes::free : Shapes::held;
-  ShapeFit best;
+  FitTogether best;
   for (const std::vector<double>& start : starts) {
-    ShapeFit fitted = fit_together(problem, linearisation, signatures, start, filter, shapes);
-    if (best.parameters.empty() || fitted.square < (1.0 - problem.tuning.better_fit) * best.square)
+    FitTogether fitted = fit_together(problem, linearisation, signatures, start, filter, shapes);
+    if (best.fit.parameters.empty() || fitted.fit.square < (1.0 - problem.tuning.better_fit) * best.fit.square)
       best = std::move(fitted);
   }
   if (shapes == Shapes::free)
     signatures = signatures_at(problem, std::move(signatures),
-                               std::span(best.parameters).subspan(problem.base_model->parameters()));
-  return taken_over(problem, std::move(signatures), best);
+                               std::span(best.fit.parameters).subspan(problem.base_model->parameters()));
+  return taken_over(problem, std::move(signatures), std::move(best));
 }
 
 void sharpen_beside(Problem& problem, const LinearModel& beside, const std::vector<std::size_t>& signatures,

@@ -1,6 +1,7 @@
 // The most likely parameters of the model with a given set of effects.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace ballbar {
 struct ConditionalFit {
   std::vector<std::size_t> signatures;  // the set
   std::vector<double> parameters;       // of the model, in their own units
+  Eigen::MatrixXd delays;  // n by k: of the model's inputs, and of steps in the set's (BaseModel::delays_at)
 };
 
 // Fits the model beside the set from the parameters of the linearisation. The shapes of the set are held.

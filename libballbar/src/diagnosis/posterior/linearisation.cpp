@@ -11,7 +11,7 @@ namespace ballbar {
 
 Linearisation linearisation_at(const Problem& problem, std::optional<std::size_t> freed,
                                std::vector<double> parameters) {
-  Eigen::MatrixXd open = problem.base_model->delays_at(parameters, problem.tuning);
+  Eigen::MatrixXd open = problem.base_model->delays_at(parameters, problem.tuning, problem.model.terms.size());
   return linearisation_at(problem, freed, std::move(parameters), with_levels(problem, std::move(open)));
 }
 

@@ -90,9 +90,9 @@ bool has_family_of(const Problem& problem, const std::vector<std::size_t>& signa
                      [&](std::size_t i) { return family(i) == family(signature); });
 }
 
-// The parameters of the model beside the effects of the sum. The most likely shapes of these, and of their rivals,
-// become signatures, and found.fitted has those of the effects.
-std::vector<double> sharpened_model(Problem& problem, SearchResult& found) {
+// The model beside the effects of the sum, with the delays of the inputs of both. The most likely shapes of the
+// effects, and of their rivals, become signatures, and found.fitted has those of the effects.
+Linearisation sharpened_model(Problem& problem, SearchResult& found) {
   const NoiseFilter filter = noise_filter_at(problem, found.covariances.front());
   const auto [set, rivals] = set_with_rivals(problem, found);
   // Beside a held value that is another one, at that one.
@@ -119,19 +119,20 @@ std::vector<double> sharpened_model(Problem& problem, SearchResult& found) {
     std::erase_if(alone, [&](std::size_t rival) { return has_family_of(problem, others, rival); });
     if (!alone.empty()) sharpen_beside(problem, with_signatures(problem, model, others), alone, filter);
   }
-  if (!held) return best.parameters;
+  Eigen::MatrixXd open = with_levels(problem, std::move(best.delays));
+  if (!held) return linearisation_at(problem, std::nullopt, std::move(best.parameters), std::move(open));
   // The gains beside the held value: what is open of times is in units of the gains.
   const HeldParameter& parameter = problem.held[*held];
   found.fitted_values[*held] = best.parameters[parameter.parameter];
   best.parameters[parameter.parameter] = parameter.value;
-  return shape_fit(*problem.base_model, std::move(best.parameters), {}, found.linearisation.open, filter.whitening,
-                   problem.known, {0})
-      .parameters;
+  ShapeFit fit =
+      shape_fit(*problem.base_model, std::move(best.parameters), {}, open, filter.whitening, problem.known, {0});
+  return linearisation_at(problem, std::nullopt, std::move(fit.parameters), std::move(open));
 }
 
 // The model, and the identities about it, beside the effects of the sum.
 void fit_model(Problem& problem, SearchResult& found) {
-  found.linearisation = linearisation_at(problem, std::nullopt, sharpened_model(problem, found));
+  found.linearisation = sharpened_model(problem, found);
   found.identities = identities_of(problem, found.linearisation, found.fitted_values);
 }
 

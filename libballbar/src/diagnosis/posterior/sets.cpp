@@ -259,7 +259,8 @@ std::size_t set_of(Problem& problem, Posterior& posterior, std::vector<std::size
   ConditionalFit conditional =
       sharpened(problem, first, set.signatures, {first.parameters}, posterior.filters[set.filter]);
   set.signatures = conditional.signatures;
-  posterior.linearisations.push_back(linearisation_at(problem, std::nullopt, std::move(conditional.parameters)));
+  posterior.linearisations.push_back(linearisation_at(problem, std::nullopt, std::move(conditional.parameters),
+                                                      with_levels(problem, std::move(conditional.delays))));
   set.linearisation = posterior.linearisations.size() - 1;
   posterior.sets.push_back(std::move(set));
   return posterior.sets.size() - 1;

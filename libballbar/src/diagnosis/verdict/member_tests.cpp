@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "ballbar/internal/numerics/order_statistic.hpp"
 #include "diagnosis/posterior/hyperparameters.hpp"
 #include "diagnosis/posterior/robust.hpp"
 #include "diagnosis/verdict/start_values.hpp"
@@ -241,6 +242,43 @@ std::vector<Doubt> doubts_of_jump(const Problem& problem, const NoiseFilter& fil
   return doubts;
 }
 
+// The model with these columns alone.
+LinearSolution solution_with(const Gram& gram, const std::vector<char>& is_flat, const KnownScatter& known,
+                             const std::vector<Eigen::Index>& columns) {
+  const std::vector<Eigen::Index> places = with_y(columns);
+  std::vector<char> flat;
+  for (const Eigen::Index k : columns) flat.push_back(is_flat[static_cast<std::size_t>(k)]);
+  return linear_solution({gram.rows, gram.log_determinant, gram.products(places, places)}, flat, known);
+}
+
+// The share of the fall of chi^2 by the member that remains where one clock is open, that of all inputs against the
+// readings: a logger stamps the begin or the end of a sample, or its mean. To first order that adds the change of what
+// the others explain.
+double share_beside_open_clock(const Problem& problem, const NoiseFilter& filter, const SetRegression& at,
+                               std::size_t member) {
+  const std::vector<Eigen::Index> others = others_of(at, member);
+  const auto log_square = [&](const LinearSolution& one) {
+    return std::log(one.square + problem.known.readings * problem.known.variance);
+  };
+  const LinearSolution without = solution_with(at.gram, at.model.is_flat, problem.known, others);
+  const Eigen::VectorXd explained = at.model.columns.rightCols(at.size())(Eigen::all, others) * without.coefficients;
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(explained.size());
+  for (const RowRange& run : runs_of(problem.time_s)) {
+    for (std::size_t row = run.begin + 1; row + 1 < run.end; ++row) {
+      const auto i = static_cast<Eigen::Index>(row);
+      change[i] = (explained[i + 1] - explained[i - 1]) / (problem.time_s[row + 1] - problem.time_s[row - 1]);
+    }
+  }
+  change *= problem.tuning.clock_delay * median_step_s(problem.logged.series.time_s);
+  const SetRegression open = set_regression(filter.whitening, with_columns(at.model, change, false), {}, problem.known);
+  std::vector<Eigen::Index> with_clock = others;
+  with_clock.push_back(at.size());
+  const double fall = log_square(without) - log_square(at.solution),
+               beside = log_square(solution_with(open.gram, open.model.is_flat, problem.known, with_clock)) -
+                        log_square(open.solution);
+  return beside < fall ? beside / fall : 1.0;
+}
+
 std::size_t family_of_member(const Problem& problem, const EffectSet& set, std::size_t member) {
   return problem.library.signatures[set.signatures[member]].family;
 }
@@ -299,9 +337,11 @@ void leave_cycles_out(const Model& model, const std::vector<std::size_t>& terms,
 std::vector<Doubt> doubts_of(const Candidate& tested, const Effect& effect, const Tuning& tuning) {
   const bool of_recordings = effect.level == Level::recording;
   std::vector<Doubt> doubts;
-  if (!(tested.likelihood_ratio >= kLeastLikelihoodRatio) ||
-      tested.amplitude_um < kLeastSigmas * tested.amplitude_sigma_um)
+  if (!(tested.likelihood_ratio >= kLeastLikelihoodRatio)) {
     doubts.push_back(Doubt::weak_evidence);
+  } else if (tested.amplitude_um < kLeastSigmas * tested.amplitude_sigma_um) {
+    doubts.push_back(Doubt::uncertain_size);
+  }
   if (effect.time_only && !effect.rules.may_repeat && !of_recordings) {
     doubts.push_back(Doubt::time_alone);
     return doubts;
@@ -359,6 +399,10 @@ Candidate tested_member(const Inference& inference, const EffectSet& set, const 
   if (problem.tuning.jump_that_stays && is_jump(effect)) {
     const std::vector<Doubt> more = doubts_of_jump(problem, inference.posterior.filters[set.filter], at, member);
     one.doubts.insert(one.doubts.end(), more.begin(), more.end());
+  } else if (!is_jump(effect) && effect.level == Level::series) {
+    const double share = share_beside_open_clock(problem, inference.posterior.filters[set.filter], at, member);
+    if (one.likelihood_ratio >= kLeastLikelihoodRatio && share * one.likelihood_ratio < kLeastLikelihoodRatio)
+      one.doubts.push_back(Doubt::open_clock);
   }
   return one;
 }

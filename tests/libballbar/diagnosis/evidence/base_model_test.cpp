@@ -122,7 +122,7 @@ TEST(BaseColumns, times_of_a_shift_by_hand) {
   rows->rows.resize(160);
   std::iota(rows->rows.begin(), rows->rows.end(), std::size_t{0});
   rows->y = Eigen::VectorXd::Zero(160);
-  const Eigen::MatrixXd times = base_of(*rows).delays_at({0.0, 0.1, 2.0}, {});
+  const Eigen::MatrixXd times = base_of(*rows).delays_at({0.0, 0.1, 2.0}, {}, 1);
   const double squares[] = {0.0, 3.6, 0.4, 8.1, 0.0, 1.6};  // 0.1 n^2, um
   ASSERT_EQ(times.cols(), 6);                               // the clock, then five changes by their size
   Eigen::VectorXd together = Eigen::VectorXd::Zero(160);
@@ -148,7 +148,7 @@ TEST(BaseColumns, time_of_a_clock_by_hand) {
   }
   rows->model.terms = {term_of("expansion", {"T_room_degC"})};
   rows->y = Eigen::VectorXd::Zero(80);
-  const Eigen::MatrixXd times = base_of(*rows).delays_at({0.0, 2.0}, {});
+  const Eigen::MatrixXd times = base_of(*rows).delays_at({0.0, 2.0}, {}, 1);
   ASSERT_EQ(times.cols(), 1);
   const auto slope_um = [&](Eigen::Index i) {
     return Tuning{}.clock_delay * 30.0 * 2.0 * 2e-6 * 60.0 * static_cast<double>(i);

@@ -64,7 +64,7 @@ TEST(MemberTests, doubts) {
   EXPECT_TRUE(doubts_of(passed, expansion).empty());
   Candidate small = passed;
   small.amplitude_sigma_um = 1.1;
-  EXPECT_EQ(doubts_of(small, expansion), std::vector{Doubt::weak_evidence});
+  EXPECT_EQ(doubts_of(small, expansion), std::vector{Doubt::uncertain_size});
   small = passed;
   small.likelihood_ratio = kLeastLikelihoodRatio - 0.1;
   EXPECT_EQ(doubts_of(small, expansion), std::vector{Doubt::weak_evidence});

@@ -50,7 +50,9 @@ enum class Doubt {
   time_alone,        // it reads no column: any slow drift looks like it
   gain_differs,      // its gain differs between cycles, or recordings
   not_predictive,    // it does not improve the prediction of left-out cycles, or recordings
-  weak_evidence,     // its likelihood ratio is below kLeastLikelihoodRatio, or its amplitude below kLeastSigmas sigmas
+  weak_evidence,     // its likelihood ratio is below kLeastLikelihoodRatio
+  uncertain_size,    // its amplitude is below kLeastSigmas sigmas
+  open_clock,        // a clock of the inputs that is early or late by a part of a row explains nearly as much
   forgotten_change,  // of a jump: one reading, or a change within the memory of the noise, explains nearly as much
   warm_start,        // of a jump: a machine that was not at rest at the first row explains nearly as much
   switched_input,    // of a jump: an effect of an input that is switched near that moment explains nearly as much
