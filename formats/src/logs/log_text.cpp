@@ -60,6 +60,32 @@ bool in_pairs(std::string_view head, IsPair is_pair, IsSingle is_single) {
   return pairs > 0;
 }
 
+// Of text in pairs above 0xA0: all syllables of Korean begin by 0xB0 to 0xC8, a third of the usual Chinese characters
+// by more.
+bool is_korean(std::string_view head) {
+  constexpr std::size_t kFewest = 4;
+  std::size_t syllables = 0;
+  for (std::size_t i = 0; i + 1 < head.size(); ++i) {
+    if (byte(head[i]) < 0xA1) continue;
+    if (byte(head[i]) > 0xC8) return false;
+    syllables += byte(head[i]) >= 0xB0 ? 1 : 0;
+    ++i;
+  }
+  return syllables >= kFewest;
+}
+
+// Words of four and more letters above 0xBF are Cyrillic: a western word has one or two in a row, a Turkish one three.
+bool is_cyrillic(std::string_view head) {
+  constexpr std::size_t kFewest = 4;
+  std::size_t in_words = 0, all = 0, letters = 0;
+  for (const char c : head) {
+    letters = byte(c) >= 0xC0 ? letters + 1 : 0;
+    all += byte(c) >= 0x80 ? 1 : 0;
+    in_words += letters == kFewest ? kFewest : letters > kFewest ? 1 : 0;
+  }
+  return 2 * in_words > all;
+}
+
 // UTF-16 without its mark: text of numbers has a NUL in every pair.
 std::string utf16_by_nuls(std::string_view head) {
   std::size_t nuls[2] = {0, 0};
@@ -87,8 +113,9 @@ TextEncoding encoding_of(std::string_view head) {
   const auto none = [](unsigned) { return false; };
   if (in_pairs(
           head, [](unsigned a, unsigned b) { return a >= 0xA1 && a <= 0xF7 && b >= 0xA1 && b <= 0xFE; }, none)) {
-    return {"GB18030", 0};
+    return {is_korean(head) ? "CP949" : "GB18030", 0};
   }
+  if (is_cyrillic(head)) return {"WINDOWS-1251", 0};
   // Latin-1 has nothing from 0x80 to 0x9F, and Windows little: there most pairs of Japanese begin.
   const auto is_pair = [](unsigned a, unsigned b) {
     return ((a >= 0x81 && a <= 0x9F) || (a >= 0xE0 && a <= 0xEA)) &&

@@ -69,19 +69,17 @@ void by_regime(const Fit& fit, const Series& data, Groups& groups) {
   }
 }
 
-// Four digits, or as many as a tenth of the range needs, because a clock may have started long before. In minutes, of
-// short records in seconds, of long ones in hours or days.
+// In seconds below 10 min of record, in minutes below 6 h, in days from 20 d, else in hours; to a hundredth, from 100 on
+// to a tenth.
 std::string printed_time(double time_s, double whole_s) {
-  constexpr double kHour_s = 3600.0, kDay_s = 86400.0;
-  if (whole_s >= 4.0 * kDay_s) {
-    const bool in_h = whole_s < 20.0 * kDay_s;
-    return fmt::format("{:.12g} {}", std::round(10.0 * time_s / (in_h ? kHour_s : kDay_s)) / 10.0, in_h ? "h" : "d");
-  }
-  const bool in_s = whole_s < 600.0;
-  const double time = in_s ? time_s : min_from_s(time_s);
-  const std::string number =
-      std::abs(time) < 1000.0 ? fmt::format("{:.4g}", time) : fmt::format("{:.12g}", std::round(10.0 * time) / 10.0);
-  return fmt::format("{} {}", number, in_s ? "s" : "min");
+  constexpr double kMinute_s = 60.0, kHour_s = 3600.0, kDay_s = 86400.0;
+  const auto in = [&](double unit_s, const char* unit) {
+    const double time = time_s / unit_s, digits = std::abs(time) < 100.0 ? 100.0 : 10.0;
+    return fmt::format("{:.12g} {}", std::round(digits * time) / digits, unit);
+  };
+  if (whole_s < 10.0 * kMinute_s) return in(1.0, "s");
+  if (whole_s < 6.0 * kHour_s) return in(kMinute_s, "min");
+  return whole_s < 20.0 * kDay_s ? in(kHour_s, "h") : in(kDay_s, "d");
 }
 
 void by_run(const Fit& fit, const Series& data, const std::vector<RowRange>& runs, Groups& groups) {

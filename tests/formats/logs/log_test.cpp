@@ -72,6 +72,26 @@ TEST(log, of_a_german_logger) {
             "speed, 1 load, 1 coolant temperature.");
 }
 
+// The bytes of the code pages: "Время;Температура подшипника;Z (мкм)", "시간;베어링온도;Z변위(um)", "Saat;Yığın ısısı".
+TEST(log, words_tell_the_code_page) {
+  const Log russian = read_log(
+      "\xC2\xF0\xE5\xEC\xFF;\xD2\xE5\xEC\xEF\xE5\xF0\xE0\xF2\xF3\xF0\xE0 "
+      "\xEF\xEE\xE4\xF8\xE8\xEF\xED\xE8\xEA\xE0 (C);Z (\xEC\xEA\xEC)\n"
+      "08:00;21,2;0,5\n08:01;21,3;1,5\n08:02;21,4;1,7\n",
+      "log.csv");
+  EXPECT_EQ(russian.shape, "semicolons, decimal comma, WINDOWS-1251");
+  EXPECT_EQ(text_of(russian), "Температура_подшипника_degC bearing: 21.2 21.3 21.4; Z_um measured: 0.5 1.5 1.7; ");
+  const Log korean = read_log(
+      "\xBD\xC3\xB0\xA3;\xBA\xA3\xBE\xEE\xB8\xB5\xBF\xC2\xB5\xB5(C);Z\xBA\xAF\xC0\xA7(um)\n"
+      "08:00;21,2;0,5\n08:01;21,3;1,5\n08:02;21,4;1,7\n",
+      "log.csv");
+  EXPECT_EQ(korean.shape, "semicolons, decimal comma, CP949");
+  EXPECT_EQ(text_of(korean), "베어링온도_degC structure: 21.2 21.3 21.4; Z변위_um measured: 0.5 1.5 1.7; ");
+  const Log turkish = read_log(
+      "Saat;Y\xFD\xF0\xFDn \xFDs\xFDs\xFD (C);Z (um)\n08:00;21,2;0,5\n08:01;21,3;1,5\n08:02;21,4;1,7\n", "log.csv");
+  EXPECT_EQ(turkish.shape, "semicolons, decimal comma, WINDOWS-1252");
+}
+
 TEST(log, reads_a_line_in_another_encoding_than_the_file) {
   const Log log = read_log(
       "\xEF\xBB\xBFZeit;Lager\xC3\xB6l;Taster Z\ns;\xB0"

@@ -42,22 +42,28 @@ std::optional<std::size_t> held_rows(const std::vector<double>& values, const Tu
 }
 
 // Rows between the samples of which a column is the straight lines: it bends at one row of so many, or at two
-// neighbours where the samples lie between rows; 1: none.
+// neighbours where the samples lie between rows, and elsewhere by no more than its rounding; 1: none. What bends at
+// full hours alone, as where the speed changes, has its noise elsewhere.
 std::size_t ramped_rows(const std::vector<double>& values, const Tuning& tuning) {
+  const double rounding = std::max(2.01 * resolution_of(values), 1e-6 * range_of(values));
   std::size_t best = 1;
   double most = tuning.bends;
   for (std::size_t rows = 3; rows <= tuning.longest_held && 4 * rows < values.size(); ++rows) {
     expect_no_interruption();
     std::vector<double> square(rows, 0.0);
-    double all = 0.0;
+    std::vector<std::size_t> plain(rows, 0);  // bends beyond the rounding
     for (std::size_t i = 1; i + 1 < values.size(); ++i) {
       const double bend = values[i + 1] - 2.0 * values[i] + values[i - 1];
       square[i % rows] += bend * bend;
-      all += bend * bend;
+      plain[i % rows] += std::abs(bend) > rounding ? 1 : 0;
     }
+    const double all = std::accumulate(square.begin(), square.end(), 0.0);
+    const std::size_t all_plain = std::accumulate(plain.begin(), plain.end(), std::size_t{0});
     for (std::size_t k = 0; k < rows; ++k) {
-      const double share = all > 0.0 ? (square[k] + square[(k + 1) % rows]) / all : 0.0;
-      if (share > most) {
+      const std::size_t next = (k + 1) % rows;
+      const double share = all > 0.0 ? (square[k] + square[next]) / all : 0.0;
+      const std::size_t elsewhere = all_plain - plain[k] - plain[next];
+      if (share > most && static_cast<double>(elsewhere) <= (1.0 - tuning.bends) * static_cast<double>(all_plain)) {
         most = share;
         best = rows;
       }

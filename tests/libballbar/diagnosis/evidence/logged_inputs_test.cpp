@@ -149,6 +149,22 @@ TEST(LoggedInputs, a_ramped_speed_is_a_step) {
   }
 }
 
+// A machine whose speed changes every 30 rows: its bearing bends there alone, but its noise is no straight line.
+TEST(LoggedInputs, bends_at_full_hours_are_no_samples) {
+  Series data = rows_of(240, 60.0);
+  std::vector<double> degC;
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal(0.0, 0.03);
+  double body = 20.0;
+  for (std::size_t i = 0; i < 240; ++i) {
+    const double end = i / 30 % 2 == 0 ? 20.0 : 45.0;
+    body += 0.5 * (end - body);
+    degC.push_back(std::round(100.0 * (body + normal(random))) / 100.0);
+  }
+  data.columns = {{"bearing_degC", Role::bearing, degC}};
+  EXPECT_EQ(input(logged_inputs(data, {}), "bearing_degC").late_s, 60.0);
+}
+
 // Moved by a whole sample to either side: over all of the rows in which it may have been.
 TEST(LoggedInputs, a_jump_is_moved_to_the_ends_of_its_window) {
   const Jump jump{2, 4, 0.0, 10.0};
