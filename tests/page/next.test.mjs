@@ -270,7 +270,7 @@ test("a record of 46 h: how far the search is and what it knows so far, then the
   if ((await page.getAttribute(".live-loop", "data-search")) !== "done") await searched(page);
   const seen = await page.evaluate(() => window.seen);
   assert.ok(seen.some((text) => /^So far most likely: .+\. The search goes on\.$/.test(text)));
-  assert.ok(seen.some((text) => /^Searching what is missing.*\d+ %/.test(text)), [...new Set(seen)].join("\n").slice(0, 2000));
+  assert.ok(seen.some((text) => /^Searching for what is missing.*\d+ %/.test(text)), [...new Set(seen)].join("\n").slice(0, 2000));
   assert.doesNotMatch(await said(page), /So far most likely/);
   assert.deepEqual(wrong, []);
   await close();

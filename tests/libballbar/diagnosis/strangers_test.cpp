@@ -366,6 +366,25 @@ TEST(StrangersLog, an_exponent_lies_between_those_of_the_catalogue) {
   EXPECT_NEAR(found.candidates.front().parameters.back().value, 1.35, 0.1);
 }
 
+// Beside a motor that is nearly the speed behind a lag, but not quite: the speed alone explains z to the noise, at an
+// exponent and a time constant between those of the grid.
+TEST(StrangersLog, an_exact_shape_wins_over_a_temperature_that_imitates_it) {
+  Log log(241, 60.0);
+  std::vector<double> heat, power;
+  for (const double speed : log.data.columns.front().values) {
+    heat.push_back(25.0 * std::pow(speed / 8000.0, 1.3));
+    power.push_back(12.0 * std::pow(speed / 8000.0, 1.55));
+  }
+  std::vector<double> motor = log.behind(heat, 2400.0);
+  for (std::size_t i = 0; i < motor.size(); ++i) motor[i] += log.room[i];
+  log.add("motor_degC", Role::structure, motor, 0.0);
+  const Diagnosis found = log.diagnosed(log.behind(power, 3000.0));
+  std::vector<BoundEffect> said = found.named;
+  said.insert(said.end(), found.probable.begin(), found.probable.end());
+  for (const std::string& label : labels(said)) EXPECT_EQ(label, "speed_heating(speed_rpm)") << made::outcome_of(found);
+  EXPECT_GT(p_of(found, "speed_rpm"), 0.8) << made::outcome_of(found);
+}
+
 // The readings state their sigma: a remaining error of several times as much is not nothing.
 TEST(StrangersLog, an_error_above_the_stated_sigma_is_not_nothing) {
   Log log;

@@ -130,6 +130,27 @@ Linearisation sharpened_model(Problem& problem, SearchResult& found) {
   return linearisation_at(problem, std::nullopt, std::move(fit.parameters), std::move(open));
 }
 
+// The best shape of each effect of the catalogue as the only one, on the columns where it is likeliest. Between the
+// shapes of the grid a few others would imitate an effect that explains all alone.
+void sharpen_alone(Problem& problem, const SearchResult& found) {
+  const auto plain = std::find_if(found.covariances.begin(), found.covariances.end(),
+                                  [](const Covariance& one) { return !(one.slow > 0.0); });
+  if (plain == found.covariances.end()) return;
+  const LinearModel& linear = found.linearisation.linear;
+  const SumOfEffects sum =
+      sum_at(problem, found.identities, linear, *plain, ibss_options(problem, found.identities, 1, Forms::no));
+  const SingleEffect& one = sum.effects.front();
+  std::vector<const Effect*> seen;
+  std::vector<std::size_t> signatures;
+  for (const std::size_t i : effects_of(problem, one)) {
+    const Effect* effect = problem.library.families[i].bound.effect;
+    if (std::find(seen.begin(), seen.end(), effect) != seen.end()) continue;
+    seen.push_back(effect);
+    if (const auto shape = signature_of(problem, found.identities, one.likeliest[i])) signatures.push_back(*shape);
+  }
+  sharpen_beside(problem, linear, signatures, noise_filter_at(problem, *plain));
+}
+
 // The model, and the identities about it, beside the effects of the sum.
 void fit_model(Problem& problem, SearchResult& found) {
   found.linearisation = sharpened_model(problem, found);
@@ -285,6 +306,8 @@ SearchResult mode_of(Problem& problem, std::size_t largest) {
   found.linearisation = linearisation_at(problem, std::nullopt, fit);
   found.covariances = likeliest_covariances(problem, with_any_forms(problem, found.linearisation.linear));
   found.fitted_values = fitted_values_of(problem, found.linearisation, found.covariances.front());
+  found.identities = identities_of(problem, found.linearisation, found.fitted_values);
+  sharpen_alone(problem, found);
   found.identities = identities_of(problem, found.linearisation, found.fitted_values);
   settle_all(problem, largest, found);
   converge(problem, largest, found);
