@@ -75,13 +75,13 @@ Series two_hidden() {
   return data;
 }
 
-// Beside a time constant that the model holds at 85 % of its value.
+// Beside a time constant that the model holds at 70 % of its value.
 TEST(OneTruth, an_effect_beside_a_wrong_held_value_has_the_numbers_of_its_test) {
   made::Drift how{3.0, 1};
   how.noise_um = 0.1;
   const Series data = made::drift(how);
   Model model = made::by_speed();
-  model.terms.front().settings[1].start = 0.85 * 2300.0;
+  model.terms.front().settings[1].start = 0.7 * 2300.0;
   model.terms.front().settings[1].held = true;
   const Diagnosis found = diagnose(model, data);
   ASSERT_EQ(found.named.size(), 1U) << made::outcome_of(found);

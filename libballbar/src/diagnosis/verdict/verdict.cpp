@@ -15,6 +15,14 @@ bool is_of_time_alone(const std::vector<std::vector<BoundEffect>>& equivalent) {
   });
 }
 
+// Whether a larger slow drift without a cause is beside a member that the readings hardly need.
+bool is_part_of_drift(const Candidate& one) {
+  const auto has = [&](Doubt doubt) {
+    return std::find(one.doubts.begin(), one.doubts.end(), doubt) != one.doubts.end();
+  };
+  return has(Doubt::weak_evidence) && has(Doubt::larger_drift);
+}
+
 }  // namespace
 
 Statement statement_of(const Evidence& evidence) {
@@ -29,7 +37,7 @@ Statement statement_of(const Evidence& evidence) {
       result.named.push_back(one.bound);
     } else if (one.doubts.empty() && one.p >= kProbable) {
       result.probable.push_back(one.bound);
-    } else if (!one.other_form_likelier) {
+    } else if (!one.other_form_likelier && !is_part_of_drift(one)) {
       std::vector<BoundEffect> group = evidence.alternatives[m];
       if (std::find(group.begin(), group.end(), one.bound) == group.end()) group.push_back(one.bound);
       if (std::find(result.equivalent.begin(), result.equivalent.end(), group) == result.equivalent.end())
