@@ -10,9 +10,9 @@
 
 namespace ballbar {
 
-// "UTF-8", "UTF-16LE", "UTF-16BE", "WINDOWS-1252", "WINDOWS-1251", "GB18030", "CP949", "SHIFT_JIS", as iconv knows them,
-// by the first bytes: a byte order mark; NULs at every other place; what is UTF-8; pairs of bytes as Chinese, Korean and
-// Japanese have them; words of Cyrillic letters; else Windows-1252. Empty: a binary file.
+// "UTF-8", "UTF-16LE", "UTF-16BE", "WINDOWS-1252", "WINDOWS-1251", "GB18030", "CP949", "SHIFT_JIS", as iconv knows
+// them, by the first bytes: a byte order mark; NULs at every other place; what is UTF-8; pairs of bytes as Chinese,
+// Korean and Japanese have them; words of Cyrillic letters; else Windows-1252. Empty: a binary file.
 struct TextEncoding {
   std::string name;
   std::size_t mark = 0;  // bytes of the byte order mark
