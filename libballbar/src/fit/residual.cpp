@@ -69,8 +69,8 @@ void by_regime(const Fit& fit, const Series& data, Groups& groups) {
   }
 }
 
-// In seconds below 10 min of record, in minutes below 6 h, in days from 20 d, else in hours; to a hundredth, from 100 on
-// to a tenth.
+// In seconds below 10 min of record, in minutes below 6 h, in days from 20 d, else in hours; to a hundredth, from 100
+// on to a tenth.
 std::string printed_time(double time_s, double whole_s) {
   constexpr double kMinute_s = 60.0, kHour_s = 3600.0, kDay_s = 86400.0;
   const auto in = [&](double unit_s, const char* unit) {
